@@ -5,19 +5,26 @@
 //! functions and languages up when it is asked, would do what nothing here needs.
 
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement, VariantKey};
-use fluent_syntax::{parser, unicode};
+use fluent_syntax::parser::{self, ParserError};
+use fluent_syntax::unicode;
 use intl_pluralrules::{PluralCategory, PluralRuleType, PluralRules};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 use unic_langid::LanguageIdentifier;
 
 /// The sentences of a language.
 pub struct Catalogue {
-    sentences: BTreeMap<&'static str, Sentence>,
+    sentences: BTreeMap<&'static str, Written>,
     /// The forms of words for numbers; `None` for a language that nobody has told them of.
     plurals: Option<PluralRules>,
+}
+
+/// A sentence as it is written with its key, and as it is read once somebody says it: most commands say few of a thousand.
+struct Written {
+    text: &'static str,
+    read: OnceLock<Sentence>,
 }
 
 /// A sentence.
@@ -48,7 +55,7 @@ pub(crate) use library_part;
 
 /// English, in which errors are displayed.
 pub fn english() -> &'static Catalogue {
-    static ENGLISH: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::read("en", library_part!("words/en.ftl")).0);
+    static ENGLISH: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::new("en", library_part!("words/en.ftl")));
     &ENGLISH
 }
 
@@ -82,48 +89,66 @@ pub(crate) const fn beginning<const COUNT: usize>(text: &str) -> [u8; COUNT] {
 }
 
 impl Catalogue {
-    /// The catalogue of the language of this code; and what is wrong with its text, a line each.
+    /// The catalogue of the language of this code.
     #[must_use]
-    pub fn read(code: &str, text: &'static str) -> (Catalogue, Vec<String>) {
-        let (resource, faults) = match parser::parse_runtime(text) {
-            Ok(resource) => (resource, Vec::new()),
-            Err((resource, errors)) => (resource, errors),
-        };
-        let line = |at: usize| 1 + text[..at].matches('\n').count();
-        let mut faults: Vec<String> = faults
-            .iter()
-            .map(|error| {
-                // Where the sentence begins: its end is noticed in the line after it.
-                let at = error.slice.as_ref().map_or(error.pos.start, |slice| slice.start);
-                format!("line {}: {}", line(at), error.kind)
-            })
-            .collect();
+    pub fn new(code: &str, text: &'static str) -> Catalogue {
+        let begins = |line: &str| line.starts_with(|c: char| c.is_ascii_alphabetic());
+        let ends = |line: &str| begins(line) || line.starts_with(['#', '-']);
         let mut sentences = BTreeMap::new();
-        for entry in resource.body {
-            let (key, pattern) = match entry {
-                Entry::Message(message) if message.attributes.is_empty() => (message.id.name, message.value),
-                Entry::Message(message) => (message.id.name, None),
-                Entry::Term(term) => (term.id.name, None),
-                _ => continue,
-            };
-            match pattern.ok_or("only sentences are read, no terms and no attributes").and_then(sentence) {
-                Err(fault) => faults.push(format!("`{key}`: {fault}")),
-                Ok(read) => {
-                    if sentences.insert(key, read).is_some() {
-                        faults.push(format!("`{key}` is here for the second time"));
-                    }
-                }
+        let mut starts = Vec::new();
+        let mut at = 0;
+        for line in text.split_inclusive('\n') {
+            if ends(line) {
+                starts.push((at, begins(line)));
+            }
+            at += line.len();
+        }
+        let next = starts.iter().skip(1).map(|(start, _)| *start).chain([text.len()]);
+        for (&(start, is_sentence), end) in starts.iter().zip(next) {
+            let text = &text[start..end];
+            if let (true, Some((key, _))) = (is_sentence, text.split_once('=')) {
+                sentences.insert(key.trim_end(), Written { text, read: OnceLock::new() });
             }
         }
         let rules =
             |code: &str| PluralRules::create(code.parse::<LanguageIdentifier>().ok()?, PluralRuleType::CARDINAL).ok();
-        (Catalogue { sentences, plurals: rules(code) }, faults)
+        Catalogue { sentences, plurals: rules(code) }
+    }
+
+    /// The catalogue of the language of this code; and what is wrong with its text, a line each.
+    #[must_use]
+    pub fn read(code: &str, text: &'static str) -> (Catalogue, Vec<String>) {
+        let (resource, errors) = match parser::parse_runtime(text) {
+            Ok(resource) => (resource, Vec::new()),
+            Err((resource, errors)) => (resource, errors),
+        };
+        let fault = |error: &ParserError| {
+            // Where the sentence begins: its end is noticed in the line after it.
+            let at = error.slice.as_ref().map_or(error.pos.start, |slice| slice.start);
+            format!("line {}: {}", 1 + text[..at].matches('\n').count(), error.kind)
+        };
+        let mut faults: Vec<String> = errors.iter().map(fault).collect();
+        let mut seen = BTreeSet::new();
+        for entry in resource.body {
+            if let Some((key, read)) = message(entry) {
+                faults.extend(read.err().map(|says| format!("`{key}`: {says}")));
+                if !seen.insert(key) {
+                    faults.push(format!("`{key}` is here for the second time"));
+                }
+            }
+        }
+        (Catalogue::new(code, text), faults)
     }
 
     /// The sentence of a key.
     #[must_use]
     pub fn sentence(&self, key: &str) -> Option<&Sentence> {
-        self.sentences.get(key)
+        let Written { text, read } = self.sentences.get(key)?;
+        Some(read.get_or_init(|| {
+            let entries = parser::parse_runtime(*text).map(|resource| resource.body).unwrap_or_default();
+            let sentence = entries.into_iter().find_map(message).and_then(|(_, read)| read.ok());
+            sentence.unwrap_or(Sentence::nothing())
+        }))
     }
 
     /// All keys, in the order of the alphabet.
@@ -171,7 +196,7 @@ impl Catalogue {
 
 impl fmt::Debug for Catalogue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_map().entries(&self.sentences).finish()
+        f.debug_set().entries(self.sentences.keys()).finish()
     }
 }
 
@@ -217,6 +242,17 @@ impl Sentence {
             (_, part) => self.0.push(part),
         }
     }
+}
+
+/// The key of an entry, and its sentence; `None` for a comment.
+fn message(entry: Entry<&'static str>) -> Option<(&'static str, Result<Sentence, &'static str>)> {
+    let (key, pattern) = match entry {
+        Entry::Message(message) if message.attributes.is_empty() => (message.id.name, message.value),
+        Entry::Message(message) => (message.id.name, None),
+        Entry::Term(term) => (term.id.name, None),
+        _ => return None,
+    };
+    Some((key, pattern.ok_or("only sentences are read, no terms and no attributes").and_then(sentence)))
 }
 
 /// A sentence as it is parsed.

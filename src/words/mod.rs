@@ -17,7 +17,7 @@ pub use number::{Medium, NumberStyle, power_of_ten};
 pub(crate) use sentences::sheet_told;
 
 use crate::fluent::{Catalogue, Sentence, english, library_part};
-use crate::message::Message;
+use crate::message::{Declared, Message};
 use crate::scene::{DecimalMark, Figure, LanguageName};
 use crate::sheet::Order;
 use sentences::DECLARED;
@@ -29,8 +29,6 @@ pub struct Language {
     /// Its code in scenes and on the command line, as `en`.
     pub code: &'static str,
     catalogue: &'static Catalogue,
-    /// In the order of their declarations; of what the language lacks, the English ones.
-    sentences: Vec<&'static Sentence>,
 }
 
 /// The text of a language's catalogue, with the workbench's part.
@@ -49,7 +47,7 @@ fn catalogue(name: LanguageName) -> &'static Catalogue {
     static READ: [OnceLock<Catalogue>; LanguageName::ALL.len()] = [const { OnceLock::new() }; LanguageName::ALL.len()];
     match name {
         LanguageName::English => english(),
-        other => READ[other as usize].get_or_init(|| Catalogue::read(other.as_str(), own_part_of(other)).0),
+        other => READ[other as usize].get_or_init(|| Catalogue::new(other.as_str(), own_part_of(other))),
     }
 }
 
@@ -63,31 +61,29 @@ fn own_part_of(name: LanguageName) -> &'static str {
     }
 }
 
-/// What is said where no language says anything, which no test lets happen.
-static NOTHING: Sentence = Sentence::nothing();
-
 impl Language {
     /// The language of that name, read when it is first spoken.
     #[must_use]
     pub fn of(name: LanguageName) -> &'static Language {
         static LANGUAGES: [OnceLock<Language>; LanguageName::ALL.len()] =
             [const { OnceLock::new() }; LanguageName::ALL.len()];
-        LANGUAGES[name as usize].get_or_init(|| {
-            let catalogue = catalogue(name);
-            let sentence = |key| catalogue.sentence(key).or_else(|| english().sentence(key)).unwrap_or(&NOTHING);
-            let sentences = DECLARED.iter().map(|declared| sentence(declared.key)).collect();
-            Language { code: name.as_str(), catalogue, sentences }
-        })
+        LANGUAGES[name as usize].get_or_init(|| Language { code: name.as_str(), catalogue: catalogue(name) })
+    }
+
+    /// The sentence of a key; of what the language lacks, the English one.
+    fn sentence(&self, key: &str) -> Option<&'static Sentence> {
+        self.catalogue.sentence(key).or_else(|| english().sentence(key))
     }
 
     /// The words of the declared sentence of that index, which has no blanks.
     fn words(&self, index: usize) -> &str {
-        self.sentences[index].words().unwrap_or_default()
+        self.sentence(DECLARED[index].key).and_then(Sentence::words).unwrap_or_default()
     }
 
     /// The declared sentence of that index with its blanks filled.
     fn filled(&self, index: usize, by: &[&str]) -> String {
-        self.catalogue.filled(self.sentences[index], DECLARED[index].blanks, by)
+        let Declared { key, blanks } = DECLARED[index];
+        self.sentence(key).map_or_else(String::new, |sentence| self.catalogue.filled(sentence, blanks, by))
     }
 
     /// What an error or a warning says in this language; in English what this language lacks.
@@ -100,7 +96,7 @@ impl Language {
     #[must_use]
     pub(crate) fn of_table(&self, key: &str, blanks: &[(&str, String)]) -> String {
         let (names, by): (Vec<&str>, Vec<&str>) = blanks.iter().map(|(name, shown)| (*name, shown.as_str())).unzip();
-        let sentence = self.catalogue.sentence(key).or_else(|| english().sentence(key));
+        let sentence = self.sentence(key);
         sentence.map_or_else(|| key.to_owned(), |sentence| self.catalogue.filled(sentence, &names, &by))
     }
 }
