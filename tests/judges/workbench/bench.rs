@@ -134,21 +134,23 @@ impl Bench {
 
     /// Presses the first control of an element whose name, as it is read out, begins with these words.
     pub fn press_named(&mut self, within: &str, words: &str) {
-        let marked = self.value(&format!(
-            "(() => {{ document.querySelectorAll('[data-pressed]').forEach((e) => delete e.dataset.pressed); \
-             const name = (e) => (e.getAttribute('aria-label') ?? e.textContent ?? '').trim(); \
+        let find = format!(
+            "(() => {{ const name = (e) => (e.getAttribute('aria-label') ?? e.textContent ?? '').trim(); \
              const all = [...document.querySelectorAll({within} + ' :is(button, summary, label, a, [role=radio], [role=tab])')]; \
              const found = all.find((e) => name(e).startsWith({words}) && e.getClientRects().length > 0); \
-             window.heard = false; \
-             if (found) found.addEventListener('click', () => (window.heard = true), {{ once: true, capture: true }}); \
-             if (found) found.dataset.pressed = ''; return found !== undefined; }})()",
+             window.heard = false; if (!found) return null; \
+             found.addEventListener('click', () => (window.heard = true), {{ once: true, capture: true }}); \
+             found.scrollIntoView({{ block: 'center', inline: 'nearest' }}); const r = found.getBoundingClientRect(); \
+             return [r.x + r.width / 2, r.y + r.height / 2]; }})()",
             within = json!(within),
             words = json!(words),
-        ));
-        assert_eq!(marked, true, "nothing is called {words:?} in {within}");
-        // What moves while the pointer is on its way, as below a picture that comes late, is pressed again where it is then.
-        for _ in 0..3 {
-            self.click("[data-pressed]");
+        );
+        // What moves or is made anew while the pointer is on its way, as below a picture that comes late, is pressed again where it is then.
+        for turn in 0..3 {
+            let place = self.value(&find);
+            assert!(turn > 0 || !place.is_null(), "nothing is called {words:?} in {within}");
+            let [Some(x), Some(y)] = [0, 1].map(|axis| place[axis].as_f64()) else { break };
+            self.drag(&[[x, y]]);
             if self.value("window.heard !== false") == true {
                 break;
             }
