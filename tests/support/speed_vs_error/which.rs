@@ -13,7 +13,7 @@ hard for one reason. The truth has 256 bits and starts from the decimals as they
 
 ![Error against time, by class and way](accuracy-which.svg)
 
-- **Many positions** (curves, films, studies, a joint that is pulled): f64. A row costs a fraction of a microsecond, and of ordinary mechanisms fourteen digits are right; nothing says how many of a hard one.
+- **Many positions** (curves, films, studies, a joint that is pulled): f64. A row costs a fraction of a microsecond, and of ordinary mechanisms twelve digits or more are right; nothing says how many of a hard one.
 - **One position whose number decides something** (what is printed, a student's mark): proved. It costs some hundreds of rows, far less than a keystroke takes, and every stated error holds whatever the mechanism.
   `--errors` of `kinegon sweep` gives the same for each row of a table, at that price.
 - **f64 with bound** is the step on the way to it: its condition says how much errors of the given numbers grow, its bound only what its own computation loses at the position as rounded.
