@@ -229,3 +229,32 @@ fn sizes_and_directions_stand_there() {
     let (size, truth) = (size.parse::<f64>().expect("a number"), 200.0 * std::f64::consts::PI);
     assert!((size - truth).abs() < 1e-9 && unit == "mm/s", "{size}");
 }
+
+/// The same four-bar at the origin and 10¹¹ mm away from it, where f64 has five decimals left: what is printed there is what is printed
+/// here, with the decimals that are certain.
+#[test]
+fn modes_have_certain_decimals_alone() {
+    let places = |away: &str| -> Vec<[String; 2]> {
+        let scene = format!(
+            r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": {{ "A": [{away}000, 0], "D": [{away}120, 0] }},
+            "links": {{ "1": {{ "points": ["A", "B"], "lengths": {{ "AB": 40 }}, "drive": {{ "angle": 60, "omega": 10 }} }},
+            "2": {{ "points": ["B", "C"], "lengths": {{ "BC": 100 }} }}, "3": {{ "points": ["D", "C"], "lengths": {{ "CD": 80 }} }} }} }}"#
+        );
+        let output = with_scene(&["modes", "-"], scene.replace("[000,", "[0,").as_bytes());
+        let text = String::from_utf8(output.stdout).expect("UTF-8");
+        let told = text.lines().filter_map(|line| Some(line.split_once("C (")?.1.split_once(')')?.0.to_owned()));
+        let pair = |told: String| {
+            let (x, y) = told.split_once(", ").expect("two coordinates");
+            [x.strip_prefix(away).unwrap_or(x).to_owned(), y.to_owned()]
+        };
+        told.map(pair).collect()
+    };
+    let (here, there) = (places(""), places("100000000"));
+    assert_eq!([here.len(), there.len()], [2, 2]);
+    for (here, there) in here.iter().flatten().zip(there.iter().flatten()) {
+        let decimals = |text: &str| text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        let [own, far] = [here, there].map(|text| text.parse::<f64>().expect("a number"));
+        assert!(decimals(here) == 6 && (2..6).contains(&decimals(there)), "{here} {there}");
+        assert!((own - far).abs() <= 0.5 * libm::pow(10.0, -(decimals(there) as f64)) + 1e-6, "{here} {there}");
+    }
+}
