@@ -28,7 +28,7 @@ use std::sync::OnceLock;
 pub struct Language {
     /// Its code in scenes and on the command line, as `en`.
     pub code: &'static str,
-    catalogue: &'static Catalogue,
+    name: LanguageName,
 }
 
 /// The text of a language's catalogue, with the workbench's part.
@@ -62,17 +62,21 @@ fn own_part_of(name: LanguageName) -> &'static str {
 }
 
 impl Language {
-    /// The language of that name, read when it is first spoken.
+    /// The language of that name, which is read when it first says something.
     #[must_use]
     pub fn of(name: LanguageName) -> &'static Language {
         static LANGUAGES: [OnceLock<Language>; LanguageName::ALL.len()] =
             [const { OnceLock::new() }; LanguageName::ALL.len()];
-        LANGUAGES[name as usize].get_or_init(|| Language { code: name.as_str(), catalogue: catalogue(name) })
+        LANGUAGES[name as usize].get_or_init(|| Language { code: name.as_str(), name })
+    }
+
+    fn catalogue(&self) -> &'static Catalogue {
+        catalogue(self.name)
     }
 
     /// The sentence of a key; of what the language lacks, the English one.
     fn sentence(&self, key: &str) -> Option<&'static Sentence> {
-        self.catalogue.sentence(key).or_else(|| english().sentence(key))
+        self.catalogue().sentence(key).or_else(|| english().sentence(key))
     }
 
     /// The words of the declared sentence of that index, which has no blanks.
@@ -83,13 +87,13 @@ impl Language {
     /// The declared sentence of that index with its blanks filled.
     fn filled(&self, index: usize, by: &[&str]) -> String {
         let Declared { key, blanks } = DECLARED[index];
-        self.sentence(key).map_or_else(String::new, |sentence| self.catalogue.filled(sentence, blanks, by))
+        self.sentence(key).map_or_else(String::new, |sentence| self.catalogue().filled(sentence, blanks, by))
     }
 
     /// What an error or a warning says in this language; in English what this language lacks.
     #[must_use]
     pub fn says(&self, message: &Message) -> String {
-        message.told(self.catalogue)
+        message.told(self.catalogue())
     }
 
     /// A sentence that is declared elsewhere, as those of mistakes, by its key, with the blanks filled; the key where no language has it.
@@ -97,7 +101,7 @@ impl Language {
     pub(crate) fn of_table(&self, key: &str, blanks: &[(&str, String)]) -> String {
         let (names, by): (Vec<&str>, Vec<&str>) = blanks.iter().map(|(name, shown)| (*name, shown.as_str())).unzip();
         let sentence = self.sentence(key);
-        sentence.map_or_else(|| key.to_owned(), |sentence| self.catalogue.filled(sentence, &names, &by))
+        sentence.map_or_else(|| key.to_owned(), |sentence| self.catalogue().filled(sentence, &names, &by))
     }
 }
 
