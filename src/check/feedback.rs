@@ -75,7 +75,7 @@ impl Feedback {
         // Words and table are text of the page.
         let drawn = Overlay { words: Vec::new(), values: Vec::new(), ..self.overlay.clone() };
         let figures = self.solution.as_ref().map_or_else(Vec::new, |solution| overlay(solution, &drawn));
-        feedback_html(&self.title, Wording::of(&self.figure).language.code, &figures, &self.overlay)
+        feedback_html(&self.title, Wording::of(&self.figure).language.code(), &figures, &self.overlay)
     }
 }
 

@@ -190,7 +190,7 @@ pub(super) struct DrawnPanel {
 pub(super) fn blank(figure: &Figure, [width, height]: [f64; 2], title: Untrusted) -> Drawing {
     let mut drawing = Drawing::new(width, height);
     drawing.style = Style::named(figure.style);
-    drawing.language = Wording::of(figure).language.code;
+    drawing.language = Wording::of(figure).language.code();
     drawing.title = title;
     drawing
 }

@@ -6,7 +6,7 @@
 //! `sentences.rs` declares every sentence once, with its named blanks, and gives it a method: the
 //! compiler checks that every blank is filled. What they say, and what errors, warnings and the workbench say, stands in a file for each
 //! language, as `de.ftl`; tests name what a file lacks. Sentences of mistakes are declared where the mistakes are, in
-//! `check/mistakes/`. A file is read once (`fluent.rs`); then a sentence is found by its index.
+//! `check/mistakes/`. A sentence is read when it is first said (`fluent.rs`).
 
 mod number;
 #[doc(hidden)] // for tests
@@ -25,11 +25,7 @@ use std::sync::OnceLock;
 
 /// All sentences of a language, with a method for each, which [`sentences`] declares.
 #[derive(Debug)]
-pub struct Language {
-    /// Its code in scenes and on the command line, as `en`.
-    pub code: &'static str,
-    name: LanguageName,
-}
+pub struct Language(LanguageName);
 
 /// The text of a language's catalogue, with the workbench's part.
 #[doc(hidden)] // for tests
@@ -62,16 +58,25 @@ fn own_part_of(name: LanguageName) -> &'static str {
 }
 
 impl Language {
-    /// The language of that name, which is read when it first says something.
+    /// The language of that name.
     #[must_use]
     pub fn of(name: LanguageName) -> &'static Language {
-        static LANGUAGES: [OnceLock<Language>; LanguageName::ALL.len()] =
-            [const { OnceLock::new() }; LanguageName::ALL.len()];
-        LANGUAGES[name as usize].get_or_init(|| Language { code: name.as_str(), name })
+        match name {
+            LanguageName::English => &Language(LanguageName::English),
+            LanguageName::Spanish => &Language(LanguageName::Spanish),
+            LanguageName::German => &Language(LanguageName::German),
+            LanguageName::Portuguese => &Language(LanguageName::Portuguese),
+        }
+    }
+
+    /// Its code in scenes and on the command line, as `en`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.0.as_str()
     }
 
     fn catalogue(&self) -> &'static Catalogue {
-        catalogue(self.name)
+        catalogue(self.0)
     }
 
     /// The sentence of a key; of what the language lacks, the English one.

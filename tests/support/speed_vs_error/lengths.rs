@@ -189,8 +189,8 @@ fn driven_to(mechanism: &Mechanism) -> Option<f64> {
     })
 }
 
-/// Joints of six links for a group of higher class, to known bodies and between each other, as the lot will have it.
-fn six_links(dice: &mut Random) -> (String, Vec<(usize, usize)>) {
+/// Joints of six links for a group of higher class, to known bodies and between each other, as the lot will have it; with sliders among them, or pins only.
+pub(super) fn six_links(dice: &mut Random, sliders: bool) -> (String, Vec<(usize, usize)>) {
     let outer = 2 + dice.below(3);
     let mut joints: Vec<(usize, usize)> = Vec::new();
     while joints.len() < 9 {
@@ -200,7 +200,7 @@ fn six_links(dice: &mut Random) -> (String, Vec<(usize, usize)>) {
             joints.push((a, b));
         }
     }
-    let kinds = joints.iter().map(|_| if dice.below(4) == 0 { 'P' } else { 'R' }).collect();
+    let kinds = joints.iter().map(|_| if sliders && dice.below(4) == 0 { 'P' } else { 'R' }).collect();
     (kinds, joints)
 }
 
@@ -209,7 +209,7 @@ fn class(name: &'static str, mechanisms: [usize; 2]) -> Class {
     let mut class = Class { name, given: Vec::new(), lengths: Vec::new() };
     let wanted = mechanisms[usize::from(name == "higher")];
     while class.lengths.len() < wanted {
-        let (kinds, joints) = if name == "higher" { six_links(&mut dice) } else { pattern(&mut dice, name) };
+        let (kinds, joints) = if name == "higher" { six_links(&mut dice, true) } else { pattern(&mut dice, name) };
         let planted = Planted::new(&mut dice, &kinds, &joints);
         let condition = planted.condition();
         if condition.is_nan() || condition > CONDITION {

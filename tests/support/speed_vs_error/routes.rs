@@ -1,7 +1,8 @@
 //! Four ways from lengths to rates, for mechanisms of all classes with pins and with sliders, ordinary and hard ones: how wrong each is, how
 //! much larger than the error its bound is, and what it costs.
 
-use super::planted::{KNOWN, Planted, pattern};
+use super::lengths::six_links;
+use super::planted::{Planted, pattern};
 use super::random::Random;
 use super::survey::median;
 use crate::whole_errors::truth::{Real, Truth, error, rounded};
@@ -249,21 +250,6 @@ fn shorten(value: &mut Value) {
         Value::Object(all) => all.values_mut().for_each(shorten),
         _ => {}
     }
-}
-
-/// Joints of six links, so many of them between known bodies and the group.
-fn six_links(dice: &mut Random, sliders: bool) -> (String, Vec<(usize, usize)>) {
-    let outer = 2 + dice.below(3);
-    let mut joints: Vec<(usize, usize)> = Vec::new();
-    while joints.len() < 9 {
-        let (a, b) = (dice.below(6), if joints.len() < outer { KNOWN } else { dice.below(6) });
-        let again = b != KNOWN && (joints.contains(&(a, b)) || joints.contains(&(b, a)));
-        if a != b && !again {
-            joints.push((a, b));
-        }
-    }
-    let kinds = joints.iter().map(|_| if sliders && dice.below(4) == 0 { 'P' } else { 'R' }).collect();
-    (kinds, joints)
 }
 
 /// A mechanism by lot, made hard; most are none of this kind.
