@@ -1318,7 +1318,7 @@ page-layout-start_failed = Kinegon konnte nicht starten: {$why}. Nötig ist ein 
 
 ## The workbench: build
 
-page-build-board = Zeichenbrett, Punkte: {$count}
+page-build-stage = Bauen, Punkte: {$count}
 page-build-tools = Werkzeuge
 page-build-tool_select = Wählen
 page-build-tool_link = Glied

@@ -1351,7 +1351,7 @@ page-layout-start_failed = Kinegon could not start: {$why}. A browser from 2023 
 
 ## The workbench: build
 
-page-build-board = Board with {$count} points
+page-build-stage = Build: {$count} points
 page-build-tools = What to do
 page-build-tool_select = Select
 page-build-tool_link = Link

@@ -1316,7 +1316,7 @@ page-layout-start_failed = Kinegon no pudo iniciarse: {$why}. Hace falta un nave
 
 ## The workbench: build
 
-page-build-board = Tablero con {$count} puntos
+page-build-stage = Construir: {$count} puntos
 page-build-tools = Qué hacer
 page-build-tool_select = Elegir
 page-build-tool_link = Eslabón

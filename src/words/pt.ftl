@@ -1318,7 +1318,7 @@ page-layout-start_failed = O Kinegon não pôde iniciar: {$why}. É preciso um n
 
 ## The workbench: build
 
-page-build-board = Prancheta com {$count} pontos
+page-build-stage = Montar: {$count} pontos
 page-build-tools = O que fazer
 page-build-tool_select = Escolher
 page-build-tool_link = Elo

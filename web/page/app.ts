@@ -43,7 +43,7 @@ export interface App {
   /** Whether pulling a joint changes lengths in place of moving the mechanism. */
   shaping: Signal<boolean>;
   pins: Signal<Pins>;
-  /** Whether the hand Build is chosen: a board in place of the picture, on which the mechanism is put together. */
+  /** Whether the hand Build is chosen: in place of the picture the mechanism is put together. */
   building: Signal<boolean>;
   /** A point or a link whose card in the form of the mechanism is to be seen; `types`: and its number typed. The panel sets it to null. */
   card: Signal<{ of: "point" | "link"; name: string; types: boolean } | null>;

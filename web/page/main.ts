@@ -37,7 +37,7 @@ import { pane } from "./picture/pane.ts";
 import { currentPicture } from "./picture/picture.ts";
 import { pulling } from "./picture/pulling.ts";
 import { surface } from "./picture/surface.ts";
-import { viewport } from "./picture/viewport.ts";
+import { viewport } from "./look/viewport.ts";
 import type { Sheet } from "./sheets.ts";
 import { baseOf, documentOf, hashOf, type BadLink, type Shared, type Task } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";

@@ -607,7 +607,7 @@ export const layout = {
 
 export const build = {
   "en": {
-    "board": "Board with {count} points",
+    "stage": "Build: {count} points",
     "tools": "What to do",
     "tool_select": "Select",
     "tool_link": "Link",
@@ -674,7 +674,7 @@ export const build = {
     "remove": "Remove"
   },
   "es": {
-    "board": "Tablero con {count} puntos",
+    "stage": "Construir: {count} puntos",
     "tools": "Qué hacer",
     "tool_select": "Elegir",
     "tool_link": "Eslabón",
@@ -741,7 +741,7 @@ export const build = {
     "remove": "Quitar"
   },
   "de": {
-    "board": "Zeichenbrett, Punkte: {count}",
+    "stage": "Bauen, Punkte: {count}",
     "tools": "Werkzeuge",
     "tool_select": "Wählen",
     "tool_link": "Glied",
@@ -808,7 +808,7 @@ export const build = {
     "remove": "Löschen"
   },
   "pt": {
-    "board": "Prancheta com {count} pontos",
+    "stage": "Montar: {count} pontos",
     "tools": "O que fazer",
     "tool_select": "Escolher",
     "tool_link": "Elo",

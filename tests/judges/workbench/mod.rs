@@ -4,7 +4,7 @@
 
 mod access;
 mod bench;
-mod board;
+mod build_hands;
 mod build;
 mod built;
 mod bytes;

@@ -1,6 +1,6 @@
 import type {
-  Board,
-  BoardView,
+  Drafted,
+  DraftedView,
   CheckOptions,
   Checked,
   Curves,
@@ -47,7 +47,7 @@ export interface Engine {
   /** Where the points are in the scene's own coordinates: as solved; of a scene that cannot be solved, those that its text says. */
   places(text: string): { name: string; at: [number, number] }[];
   /** What is known of a scene, complete or not, with its picture: links, guides, fixed points, drives, no plans. */
-  board(text: string, view: BoardView): Board;
+  drafted(text: string, view: DraftedView): Drafted;
   /** As `edit`; where the scene is not complete after it, the text says roughly where points were. */
   edit_in_place(text: string, edits: Edit[]): string;
   /** The scene's text with points at other places, complete or not. */

@@ -46,7 +46,7 @@ export function documents(app: App, store: Store): void {
   menu.addEventListener("beforetoggle", (event) => (event as ToggleEvent).newState === "open" && build());
 
   const title = (): void => {
-    // On the board another mechanism may stand than the last that was complete.
+    // In Build another mechanism may stand than the last that was complete.
     const own = app.building.value ? parsed(app.history.now.value.text)?.["title"] : app.solved.value.opened?.title;
     const text = calmed(typeof own === "string" ? own : "").slice(0, LONGEST) || say("untitled");
     byId("title").textContent = text;
