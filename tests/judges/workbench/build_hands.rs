@@ -49,7 +49,10 @@ fn a_finger_that_rests_opens_the_menu_and_two_zoom() {
     for _ in 0..3 {
         let before = window(&mut bench);
         bench.touch(&ways.iter().map(<[_; 2]>::as_slice).collect::<Vec<_>>());
-        bench.until(&format!("JSON.parse(document.querySelector('#build-stage').dataset.window)[2] > {}", 1.97 * before[2]));
+        bench.until(&format!(
+            "JSON.parse(document.querySelector('#build-stage').dataset.window)[2] > {}",
+            1.97 * before[2]
+        ));
         bench.settle();
         let after = window(&mut bench);
         assert!((after[2] / before[2] - 2.0).abs() < 0.02, "{before:?} {after:?}");
