@@ -2,7 +2,7 @@ import type { EngineClient } from "./engine/client.ts";
 import type { Opened, Picture, Pins, Refused, View } from "./engine/types.ts";
 import type { Broken } from "./motion/film.ts";
 import type { Sheet } from "./sheets.ts";
-import type { Shared, Task } from "./state/address.ts";
+import type { BoardUse, Shared, Task } from "./state/address.ts";
 import type { Course } from "./state/course.ts";
 import type { History } from "./state/history.ts";
 import type { Signal } from "./state/signal.ts";
@@ -51,6 +51,10 @@ export interface App {
   student: Signal<boolean>;
   /** The exercise that the student's scene is; null where the link names none. */
   task: Signal<Task | null>;
+  /** How the drawing board is used, where a link has said it. */
+  board: Signal<BoardUse | null>;
+  /** Whether the drawing board is shown. */
+  drawing: Signal<boolean>;
   /** The course that has opened the page; null where none has. */
   course: Course | null;
   /** What that course asks. */

@@ -1,5 +1,6 @@
 /** Wires the page: store → engine → picture → panels. */
 import type { App, Solved } from "./app.ts";
+import { board } from "./board/board.ts";
 import { build } from "./build/build.ts";
 import { byId } from "./dom/find.ts";
 import { startEngine, type EngineClient } from "./engine/client.ts";
@@ -39,7 +40,7 @@ import { pulling } from "./picture/pulling.ts";
 import { surface } from "./picture/surface.ts";
 import { viewport } from "./look/viewport.ts";
 import type { Sheet } from "./sheets.ts";
-import { baseOf, documentOf, hashOf, type BadLink, type Shared, type Task } from "./state/address.ts";
+import { baseOf, documentOf, hashOf, type BadLink, type BoardUse, type Shared, type Task } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";
 import { course } from "./state/course.ts";
 import { history, type Document } from "./state/history.ts";
@@ -67,7 +68,7 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
   const form = shared.asked === undefined && hears !== null ? hears.form : (shared.form ?? "");
   const app: App = {
     root: document,
-    history: history({ text: shared.text, form }, past),
+    history: history({ text: shared.text, form, drawing: shared.drawing ?? "" }, past),
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
     typing: signal(false),
@@ -83,6 +84,8 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
     card: signal<App["card"]["value"]>(null),
     student: signal(shared.student ?? false),
     task: signal<Task | null>(shared.task ?? null),
+    board: signal<BoardUse | null>(shared.board ?? null),
+    drawing: signal(false),
     course: hears,
     asked,
     tell,
@@ -95,7 +98,8 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
     film: null,
     open(text) {
       app.task.set(null);
-      app.history.change({ text });
+      app.board.set(null);
+      app.history.change({ text, drawing: "" });
     },
     link: async (what) => baseOf(location.href) + (await hashOf(what)),
     print: printer(),
@@ -127,6 +131,7 @@ function wire(app: App, store: Store): void {
   toolbar(app, store);
   messages(app);
   build(app);
+  board(app);
   documents(app, store);
   dropped(app);
   printedByBrowser(app);
@@ -153,7 +158,8 @@ function watchAddress(app: App, store: Store): void {
     const found = await documentOf(link);
     if (found === null) return;
     if (typeof found === "string") return notice(badLink(found));
-    app.history.change({ text: found.text, form: found.form ?? "" });
+    app.history.change({ text: found.text, form: found.form ?? "", drawing: found.drawing ?? "" });
+    app.board.set(found.board ?? null);
     app.view.set(found.view ?? FINISHED);
     app.student.set(found.student ?? false);
     app.task.set(found.task ?? null);
@@ -193,8 +199,9 @@ function offer(app: App, kept: Kept): void {
 }
 
 /** Goes on with what was kept. */
-function takeUp(app: App, { text, form, student, task }: Kept): void {
-  app.history.change({ text, form });
+function takeUp(app: App, { text, form, drawing = "", student, task, board }: Kept): void {
+  app.history.change({ text, form, drawing });
+  app.board.set(board ?? null);
   app.student.set(student ?? false);
   app.task.set(task ?? null);
 }

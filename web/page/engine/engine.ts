@@ -1,3 +1,4 @@
+import type { Board, BoardHint, BoardJudged, BoardPictureAsk, Snap, SnapAsk } from "../board/types.ts";
 import type {
   Drafted,
   DraftedView,
@@ -81,4 +82,18 @@ export interface Engine {
   photo_tap(plan: Panel, x: number, y: number, reach: number, aim: number): Tapped | null;
   /** How points of the student's plans stand in it. */
   photo_points(placed: MarkedPoint[]): PointVerdict[];
+  /** What a drawing is: its sheets, what stands on them, what it has to choose from; an empty text begins one. */
+  board(text: string, drawing: string): Board;
+  /** What a press at a place of a sheet adds to the entry under way, the nearest first. */
+  board_snap(text: string, drawing: string, ask: SnapAsk): Snap[];
+  /** A sheet as it is after so many entries. */
+  board_picture(text: string, drawing: string, ask: BoardPictureAsk): { svg: string; width: number; height: number };
+  /** What is right and what is wrong, entry by entry. */
+  board_judge(text: string, drawing: string): BoardJudged;
+  /** What could come next: 1 where, 2 by which relation, 3 the operation itself. */
+  board_hint(text: string, drawing: string, level: number): BoardHint;
+  /** The form of measured values that a drawing is. */
+  board_form(text: string, drawing: string): string;
+  /** The program's own construction as a drawing. */
+  board_own(text: string): string;
 }

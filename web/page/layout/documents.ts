@@ -28,7 +28,7 @@ export function documents(app: App, store: Store): void {
 
   function recent(kept: Kept): HTMLButtonElement {
     const when = new Date(kept.time).toLocaleString(language.value, { dateStyle: "medium", timeStyle: "short" });
-    return entry([element("span", {}, kept.title || say("untitled")), element("small", {}, when)], () => app.history.change({ text: kept.text, form: kept.form }));
+    return entry([element("span", {}, kept.title || say("untitled")), element("small", {}, when)], () => app.history.change({ text: kept.text, form: kept.form, drawing: kept.drawing ?? "" }));
   }
 
   function build(): void {

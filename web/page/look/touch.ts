@@ -10,6 +10,7 @@ export interface Press {
   readonly start: Pixels;
   readonly by: "mouse" | "pen" | "touch";
   readonly target: Element;
+  readonly button: number;
   readonly shift: boolean;
 }
 
@@ -53,7 +54,7 @@ export function touch(root: HTMLElement | SVGSVGElement, view: Pick<Viewport, "z
     if (!(hands.takes?.(event) ?? event.button === 0)) return;
     if (down.press(event) > 1) return become("look");
     now = down.at(event);
-    press = { start: now, by: event.pointerType === "touch" || event.pointerType === "pen" ? event.pointerType : "mouse", target: event.target as Element, shift: event.shiftKey };
+    press = { start: now, by: event.pointerType === "touch" || event.pointerType === "pen" ? event.pointerType : "mouse", target: event.target as Element, button: event.button, shift: event.shiftKey };
     become("press");
     const { rests } = hands;
     const begun = press;

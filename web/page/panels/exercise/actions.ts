@@ -82,7 +82,7 @@ export function forTeacher(app: App, found: Found, key: HTMLElement): HTMLElemen
       { class: "buttons" },
       button(say("open"), () => {
         // A form of the scene before would not fit.
-        app.history.change({ text: exercise.text, form: "" });
+        app.history.change({ text: exercise.text, form: "", drawing: "" });
         app.tell(say("opened", { name: exercise.name }));
       }),
       button(say("print_key"), () => app.print(exercise.key, exercise.key_width, exercise.key_height)),
