@@ -1617,6 +1617,15 @@ page-exercise-open = Auf der Werkbank öffnen
 page-exercise-opened = Die Aufgabe {$name} ist offen; „Rückgängig“ holt die vorige Szene zurück.
 page-exercise-sheet_of = Blatt der Aufgabe {$name}
 page-exercise-key_of = Lösung der Aufgabe {$name}
+page-exercise-board_paper = Pläne werden auf Papier gezeichnet
+page-exercise-board_practice = Am Zeichenbrett: Übung
+page-exercise-board_at_once = Am Zeichenbrett: Falsches wird sofort gesagt
+page-exercise-board_exam = Am Zeichenbrett: Prüfung, nichts wird gesagt
+page-exercise-board_demonstration = Am Zeichenbrett: zusehen, wie gezeichnet wird
+page-exercise-board_snap = Womit der Hand geholfen wird
+page-exercise-board_snap_all = Punkte und Geraden rasten ein
+page-exercise-board_snap_points = Nur Punkte rasten ein
+page-exercise-board_snap_none = Freihand
 
 
 ## The workbench: values
@@ -1949,12 +1958,12 @@ page-board-short_like = Abbild
 page-board-short_measure = Messen
 page-board-short_compute = Rechnen
 page-board-short_solve = Lösen
-page-board-form_lay_off = Im {$on}: {$size} abtragen von {$from} {$how} {$reference}, bis {$name}
-page-board-form_line = Im {$on}: Gerade {$how} {$reference} durch {$through}, genannt {$name}
-page-board-form_join = Im {$on}: Gerade durch {$first} und {$second}, genannt {$name}
+page-board-form_lay_off = Im {$on} {$size} abtragen von {$from} {$how} {$reference} bis {$name}
+page-board-form_line = Im {$on} Gerade {$how} {$reference} durch {$through} namens {$name}
+page-board-form_join = Im {$on} Gerade durch {$first} und {$second} namens {$name}
 page-board-form_cross = {$first} und {$second} schneiden sich in {$name}
-page-board-form_like = Im {$on}: wie {$three} zu {$one} und {$two}, so liegt zu {$first} und {$second} der Punkt {$name}
-page-board-form_measure = Im {$on}: messen von {$from} bis {$to}, genannt {$name}
+page-board-form_like = Im {$on} wie {$three} zu {$one} und {$two} so liegt zu {$first} und {$second} der Punkt {$name}
+page-board-form_measure = Im {$on} messen von {$from} bis {$to} als {$name}
 page-board-form_compute = {$name} = {$as} {$sense}
 page-board-form_solve = Für {$solve} lösen {$equations}
 page-board-how_lay_off = Größe wählen, dann den Anfangspunkt drücken, dann das Glied oder die Gerade mit der Richtung.

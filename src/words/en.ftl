@@ -1650,6 +1650,15 @@ page-exercise-open = Open in the workbench
 page-exercise-opened = The exercise {$name} is open; undo brings the scene before back.
 page-exercise-sheet_of = Sheet of the exercise {$name}
 page-exercise-key_of = Key of the exercise {$name}
+page-exercise-board_paper = Plans are drawn on paper
+page-exercise-board_practice = On the drawing board: practice
+page-exercise-board_at_once = On the drawing board: a wrong line is told at once
+page-exercise-board_exam = On the drawing board: exam, nothing is told
+page-exercise-board_demonstration = On the drawing board: look on while it is drawn
+page-exercise-board_snap = What the hand is helped with
+page-exercise-board_snap_all = Points and lines snap
+page-exercise-board_snap_points = Points alone snap
+page-exercise-board_snap_none = Free hand
 
 
 ## The workbench: values
@@ -1982,15 +1991,15 @@ page-board-short_like = Image
 page-board-short_measure = Measure
 page-board-short_compute = Reckon
 page-board-short_solve = Solve
-page-board-form_lay_off = On the {$on}: lay off {$size} from {$from} {$how} {$reference}, to {$name}
-page-board-form_line = On the {$on}: line {$how} {$reference} through {$through}, called {$name}
-page-board-form_join = On the {$on}: line through {$first} and {$second}, called {$name}
+page-board-form_lay_off = In the {$on} lay off {$size} from {$from} {$how} {$reference} to {$name}
+page-board-form_line = In the {$on} line {$how} {$reference} through {$through} named {$name}
+page-board-form_join = In the {$on} line through {$first} and {$second} named {$name}
 page-board-form_cross = {$first} and {$second} cross at {$name}
-page-board-form_like = On the {$on}: as {$three} lies to {$one} and {$two}, so to {$first} and {$second} lies {$name}
-page-board-form_measure = On the {$on}: measure from {$from} to {$to}, called {$name}
+page-board-form_like = In the {$on} as {$three} lies to {$one} and {$two} so to {$first} and {$second} lies {$name}
+page-board-form_measure = In the {$on} measure from {$from} to {$to} as {$name}
 page-board-form_compute = {$name} = {$as} {$sense}
 page-board-form_solve = For {$solve} solve {$equations}
-page-board-how_lay_off = Choose the size, press the point where it begins, then the link or line that gives its direction.
+page-board-how_lay_off = The size; then press the point where it begins, and the link or line with its direction.
 page-board-how_line = Press a link or a line: the square lies on it. Then press the point through which the line goes. T turns it.
 page-board-how_join = Press two points.
 page-board-how_cross = Press where two lines cross, and choose the point’s name.

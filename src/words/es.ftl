@@ -1615,6 +1615,15 @@ page-exercise-open = Abrir en el banco de trabajo
 page-exercise-opened = El ejercicio {$name} está abierto; deshacer recupera la escena anterior.
 page-exercise-sheet_of = Lámina del ejercicio {$name}
 page-exercise-key_of = Solución del ejercicio {$name}
+page-exercise-board_paper = Los planos se dibujan en papel
+page-exercise-board_practice = En el tablero: práctica
+page-exercise-board_at_once = En el tablero: se avisa enseguida de una recta equivocada
+page-exercise-board_exam = En el tablero: examen, no se dice nada
+page-exercise-board_demonstration = En el tablero: ver cómo se dibuja
+page-exercise-board_snap = Con qué se ayuda a la mano
+page-exercise-board_snap_all = Puntos y rectas encajan
+page-exercise-board_snap_points = Solo los puntos encajan
+page-exercise-board_snap_none = A mano libre
 
 
 ## The workbench: values
@@ -1947,12 +1956,12 @@ page-board-short_like = Imagen
 page-board-short_measure = Medir
 page-board-short_compute = Calcular
 page-board-short_solve = Resolver
-page-board-form_lay_off = En el {$on}: llevar {$size} desde {$from} {$how} {$reference}, hasta {$name}
-page-board-form_line = En el {$on}: recta {$how} {$reference} por {$through}, llamada {$name}
-page-board-form_join = En el {$on}: recta por {$first} y {$second}, llamada {$name}
+page-board-form_lay_off = En el {$on} llevar {$size} desde {$from} {$how} {$reference} hasta {$name}
+page-board-form_line = En el {$on} recta {$how} {$reference} por {$through} con nombre {$name}
+page-board-form_join = En el {$on} recta por {$first} y {$second} con nombre {$name}
 page-board-form_cross = {$first} y {$second} se cortan en {$name}
-page-board-form_like = En el {$on}: como está {$three} respecto de {$one} y {$two}, está respecto de {$first} y {$second} el punto {$name}
-page-board-form_measure = En el {$on}: medir de {$from} a {$to}, llamado {$name}
+page-board-form_like = En el {$on} como está {$three} respecto de {$one} y {$two} está respecto de {$first} y {$second} el punto {$name}
+page-board-form_measure = En el {$on} medir de {$from} a {$to} como {$name}
 page-board-form_compute = {$name} = {$as} {$sense}
 page-board-form_solve = Para {$solve} resolver {$equations}
 page-board-how_lay_off = Elija el tamaño, pulse el punto donde empieza y luego la barra o recta que da su dirección.

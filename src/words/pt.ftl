@@ -1617,6 +1617,15 @@ page-exercise-open = Abrir na bancada
 page-exercise-opened = O exercício {$name} está aberto; desfazer traz de volta a cena anterior.
 page-exercise-sheet_of = Folha do exercício {$name}
 page-exercise-key_of = Solução do exercício {$name}
+page-exercise-board_paper = Os polígonos são desenhados em papel
+page-exercise-board_practice = Na prancheta: prática
+page-exercise-board_at_once = Na prancheta: o erro é avisado na hora
+page-exercise-board_exam = Na prancheta: prova, nada é dito
+page-exercise-board_demonstration = Na prancheta: ver como se desenha
+page-exercise-board_snap = Com que a mão é ajudada
+page-exercise-board_snap_all = Pontos e retas encaixam
+page-exercise-board_snap_points = Só os pontos encaixam
+page-exercise-board_snap_none = Mão livre
 
 
 ## The workbench: values
@@ -1949,12 +1958,12 @@ page-board-short_like = Imagem
 page-board-short_measure = Medir
 page-board-short_compute = Calcular
 page-board-short_solve = Resolver
-page-board-form_lay_off = No {$on}: marcar {$size} desde {$from} {$how} {$reference}, até {$name}
-page-board-form_line = No {$on}: reta {$how} {$reference} por {$through}, chamada {$name}
-page-board-form_join = No {$on}: reta por {$first} e {$second}, chamada {$name}
+page-board-form_lay_off = No {$on} marcar {$size} desde {$from} {$how} {$reference} até {$name}
+page-board-form_line = No {$on} reta {$how} {$reference} por {$through} de nome {$name}
+page-board-form_join = No {$on} reta por {$first} e {$second} de nome {$name}
 page-board-form_cross = {$first} e {$second} se cruzam em {$name}
-page-board-form_like = No {$on}: como {$three} está para {$one} e {$two}, está para {$first} e {$second} o ponto {$name}
-page-board-form_measure = No {$on}: medir de {$from} a {$to}, chamado {$name}
+page-board-form_like = No {$on} como {$three} está para {$one} e {$two} está para {$first} e {$second} o ponto {$name}
+page-board-form_measure = No {$on} medir de {$from} a {$to} como {$name}
 page-board-form_compute = {$name} = {$as} {$sense}
 page-board-form_solve = Para {$solve} resolver {$equations}
 page-board-how_lay_off = Escolha o tamanho, toque o ponto onde começa e depois a barra ou reta que dá a direção.

@@ -66,9 +66,10 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
   const hears = course(asked.form);
   // What this very tab has is newer than what the course has kept.
   const form = shared.asked === undefined && hears !== null ? hears.form : (shared.form ?? "");
+  const drawing = shared.asked === undefined && hears !== null && hears.drawing !== "" ? hears.drawing : (shared.drawing ?? "");
   const app: App = {
     root: document,
-    history: history({ text: shared.text, form, drawing: shared.drawing ?? "" }, past),
+    history: history({ text: shared.text, form, drawing }, past),
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
     typing: signal(false),
@@ -104,7 +105,7 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
     link: async (what) => baseOf(location.href) + (await hashOf(what)),
     print: printer(),
   };
-  hears?.follow(() => app.history.now.value.form);
+  hears?.follow(() => app.history.now.value);
   return app;
 }
 

@@ -31,6 +31,8 @@ export function board(app: App): void {
     if (is) made ??= builds(app);
     made?.show(is);
   });
+  // A link that is about the board leads there.
+  app.board.on((use) => use !== null && app.student.value && app.drawing.set(true));
 }
 
 function builds(app: App): { show(is: boolean): void } {
@@ -80,10 +82,16 @@ function builds(app: App): { show(is: boolean): void } {
       if (!is) return void (opener instanceof HTMLElement && opener.isConnected && opener.focus({ preventScroll: true }));
       fits();
       own.choose(own.tool.value);
-      if (own.use().mode === "demonstration") own.until.set(0);
+      if (own.use().mode === "demonstration") void demonstrate(app, own);
       back();
     },
   };
+}
+
+/** What is looked at: the drawing that the link has, else the program's. */
+async function demonstrate(app: App, own: Model): Promise<void> {
+  if (drawingOf(own.text()) === null) own.looked.set(await app.engine.board_own(app.solved.value.good).catch(() => null));
+  own.until.set(0);
 }
 
 /** One sheet with the scheme as a card to pick links from, or all. */
@@ -97,7 +105,7 @@ function arranged(own: Model, stages: readonly Stage[], sheets: HTMLElement): vo
   }
 }
 
-/** Back, what is given, undo, sheets, and what the mode lets be asked. */
+/** Back, undo, what is given, sheets, and what the mode lets be asked. */
 function head(app: App, own: Model, told: ReturnType<typeof judging>, drawer: HTMLElement): HTMLElement {
   const tool = (saying: Saying, pictogram: string, press: () => void, id: string): HTMLButtonElement => {
     const made = element("button", { type: "button", id, onclick: press }, icon(pictogram));
@@ -113,15 +121,14 @@ function head(app: App, own: Model, told: ReturnType<typeof judging>, drawer: HT
   own.known.on((known) => (given.innerHTML = known?.given.map(({ label, value, unit }) => `<span>${label} = ${value} ${unit}</span>`).join(" ") ?? ""));
   const hint = button(() => say("hint"), () => void told.hint(), { id: "board-hint" });
   const check = button(() => say("check"), told.check, { id: "board-check" });
-  const handIn = button(() => say(own.use().mode === "exam" ? "hand_in" : "into_form"), () => void told.handIn(), { id: "board-hand-in", class: "main" });
-  const openList = button(() => say("list"), () => drawer.classList.toggle("open"), { id: "board-open-list", "aria-pressed": "false" });
-  openList.addEventListener("click", () => openList.setAttribute("aria-pressed", String(drawer.classList.contains("open"))));
+  const handIn = button(() => say("hand_in"), () => void told.handIn(), { id: "board-hand-in", class: "main" });
+  const openList = tool("list", "steps", () => openList.setAttribute("aria-pressed", String(drawer.classList.toggle("open"))), "board-open-list");
+  openList.setAttribute("aria-pressed", "false");
   const more = files(app, own, told);
   const allow = (): void => {
     const { mode } = own.use();
     hint.hidden = check.hidden = mode !== "practice" || own.looked.value !== null;
-    handIn.hidden = mode === "demonstration" || own.looked.value !== null;
-    handIn.textContent = say(mode === "exam" ? "hand_in" : "into_form");
+    handIn.hidden = mode !== "exam" || own.looked.value !== null;
   };
   app.board.on(allow);
   own.looked.on(allow);
@@ -159,6 +166,7 @@ function files(app: App, own: Model, told: ReturnType<typeof judging>): HTMLElem
     if (drawingOf(text) === null) own.says.set({ text: say("no_drawing", { name: file!.name }), isBad: true });
     else await own.open(text);
   }));
+  const into = act("into_form", () => void told.handIn());
   const again = act("replay", () => own.until.set(own.until.value === null ? 0 : null));
   const right = act("own_construction", () => {
     if (own.looked.value !== null) return own.looked.set(null), own.until.set(null);
@@ -168,10 +176,13 @@ function files(app: App, own: Model, told: ReturnType<typeof judging>): HTMLElem
     });
   });
   own.looked.on((text) => (right.textContent = say(text === null ? "own_construction" : "own_drawing")));
-  menu.append(save, open, again, right);
+  const before = act("put_back", () => void own.open(own.replaced.value ?? ""));
+  own.replaced.on((text) => (before.hidden = text === null));
+  menu.append(save, open, before, into, again, right);
   const show = (): void => {
     right.hidden = app.student.value && own.use().mode !== "demonstration";
     again.hidden = own.use().mode === "exam";
+    into.hidden = own.use().mode !== "practice";
   };
   app.student.on(show);
   app.board.on(show);

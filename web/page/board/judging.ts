@@ -4,6 +4,7 @@ import { fileName, saveFile } from "../files/save.ts";
 import { said } from "../refused.ts";
 import { newest } from "../state/newest.ts";
 import { signal, type Signal } from "../state/signal.ts";
+import { standing } from "./file.ts";
 import type { Model } from "./model.ts";
 import type { BoardJudged } from "./types.ts";
 import { say } from "./words.ts";
@@ -38,7 +39,7 @@ export function judging(app: App, model: Model): Judging {
       if (of !== seen()) return;
       verdicts.set(judged);
       const wrong = judged.first_wrong === null ? undefined : judged.entries[judged.first_wrong];
-      if (wrong !== undefined) tell([say("first_wrong", { number: judged.first_wrong! + 1 }), wrong.words, wrong.hint].filter(Boolean).join(" "), true);
+      if (wrong !== undefined) tell([say("first_wrong", { number: standing(model.drawing().did).indexOf(judged.first_wrong!) + 1 }), wrong.words, wrong.hint].filter(Boolean).join(" "), true);
       else if (isAsked) tell(judged.is_complete ? say("all_right") : say("right_so_far"));
     } catch (refused) {
       tell(said(refused), true);

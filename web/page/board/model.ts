@@ -29,6 +29,8 @@ export interface Model {
   readonly until: Signal<number | null>;
   /** Another drawing that is looked at in place of the own: the program's, or somebody else's. */
   readonly looked: Signal<string | null>;
+  /** The own drawing before another file was opened; null where none was. */
+  readonly replaced: Signal<string | null>;
   readonly shown: Signal<Shown | null>;
   /** What is said below: why something was refused, or what to do. */
   readonly says: Signal<{ text: string; isBad: boolean }>;
@@ -69,6 +71,7 @@ export function model(app: App): Model {
   const until = signal<number | null>(null);
   const looked = signal<string | null>(null);
   /** What was undone last, the last of it at the end; anything else that is written clears it. */
+  const replaced = signal<string | null>(null);
   let undone: Entry[] = [];
   let opened = performance.now();
   let turn: Promise<unknown> = Promise.resolve();
@@ -82,6 +85,13 @@ export function model(app: App): Model {
     known.set(next);
     canUndo.set(standing(drawing().did).length > 0);
     canRedo.set(undone.length > 0);
+  }
+
+  /** Another drawing comes in place of this one, which can be had back. */
+  function replace(): void {
+    if (known.value !== null && drawing().did.length > 0) replaced.set(known.value.drawing);
+    undone = [];
+    until.set(null);
   }
 
   const asking = newest(async (of: string) => {
@@ -165,6 +175,7 @@ export function model(app: App): Model {
     alone: signal<Sheet | "">(""),
     until,
     looked,
+    replaced,
     shown: signal<Shown | null>(null),
     says,
     canUndo,
@@ -205,8 +216,7 @@ export function model(app: App): Model {
       if (drawingOf(next) === null) return false;
       try {
         const found = await app.engine.board(scene(), next);
-        undone = [];
-        until.set(null);
+        replace();
         show(found);
         app.history.draw(found.drawing);
         return true;
@@ -238,7 +248,9 @@ export function model(app: App): Model {
     if (now === last) return;
     const isOtherScene = !last.startsWith(`${scene()}\n`);
     last = now;
-    if (isOtherScene || known.value?.drawing !== wanted) asking.want(wanted);
+    if (!isOtherScene && known.value?.drawing === wanted) return;
+    if (!isOtherScene && looked.value === null) replace();
+    asking.want(wanted);
   };
   app.drawing.on((is) => {
     // Time runs on from where it was left.

@@ -96,7 +96,7 @@ export function stage(app: App, model: Model, sheet: Sheet): Stage {
       const marks = shown !== null && shown.sheet === sheet ? shown.ghost.map((each) => path(each, shown.kind)) : [];
       const ghosts = aimed?.ghost.map((each) => path(each)) ?? [];
       const ring = aimed === null ? [] : [svgElement("circle", { class: "aimed", cx: aimed.at[0], cy: aimed.at[1], r: 7 / now })];
-      const at = own.cursor;
+      const at = document.activeElement === over ? own.cursor : null;
       const arm = 12 / now;
       const cross = at === null ? [] : [svgElement("path", { class: "cursor", d: `M${at[0] - arm} ${at[1]}h${2 * arm}M${at[0]} ${at[1] - arm}v${2 * arm}` })];
       over.replaceChildren(...marks, ...ghosts, ...ring, ...cross);

@@ -23,11 +23,11 @@ export interface Strip {
 
 /** `back` gives the keys back to the sheets after something was written by keys there. */
 export function strip(model: Model, back: () => void): Strip {
-  const form = element("form", { class: "entry-form", autocomplete: "off" });
+  const form = element("form", { class: "entry-form", id: "board-entry", autocomplete: "off" });
   const chips = element("div", { class: "chips", role: "group" });
   const says = element("p", { class: "says", role: "status" });
-  const root = element("div", { class: "strip" }, says, form, chips);
-  const draw = button(() => say("write"), () => undefined, { type: "submit", class: "main" });
+  const draw = button(() => say("write"), () => undefined, { type: "submit", form: "board-entry", class: "main" });
+  const root = element("div", { class: "strip" }, says, form, draw, chips);
   /** The boxes of the present sentence by their blanks. */
   let boxes = new Map<string, HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement>();
   let shape = "";
@@ -107,7 +107,7 @@ export function strip(model: Model, back: () => void): Strip {
     form.replaceChildren(...parts.flatMap((part) => {
       const box = boxes.get(part);
       return box !== undefined ? [box] : part.trim() === "" || part in marked ? [] : [element("span", {}, part.trim())];
-    }), draw);
+    }));
     form.setAttribute("aria-label", say(`tool_${tool}`));
   }
 
@@ -134,6 +134,11 @@ export function strip(model: Model, back: () => void): Strip {
       if (box.value !== value && box instanceof HTMLSelectElement) box.value = value;
       box.classList.toggle("lacking", lacking(model.tool.value, entry)?.blank === slot.blank);
     }
+    // On a narrow screen the sentence is one line, of which what comes next is seen.
+    if (form.scrollWidth > form.clientWidth) {
+      const next = form.querySelector<HTMLElement>(".lacking");
+      if (next !== null && !form.contains(document.activeElement)) form.scrollTo({ left: next.offsetLeft - form.offsetLeft - 60 });
+    }
     offer();
   }
 
@@ -144,9 +149,11 @@ export function strip(model: Model, back: () => void): Strip {
     const entry = model.has.value;
     const slots = slotsOf(model.tool.value, entry);
     const next = lacking(model.tool.value, entry);
-    const slot = slots.find(({ blank }) => blank === chosen && document.activeElement === boxes.get(chosen)) ?? (next !== undefined && WRITTEN.includes(next.takes) ? next : undefined);
+    const last = slots.find(({ blank }) => blank === chosen);
+    // What is written in; what comes next, if that is written; else a formula goes on.
+    const isIn = last !== undefined && document.activeElement === boxes.get(chosen);
+    const slot = isIn ? last : next !== undefined && WRITTEN.includes(next.takes) ? next : last?.takes === "formula" ? last : undefined;
     const all = slot === undefined ? [] : chipsOf(slot.takes, known, onOf(entry));
-    chips.hidden = all.length === 0;
     if (slot === undefined) return chips.replaceChildren();
     chips.setAttribute("aria-label", say(`slot_${slot.takes}`));
     chips.replaceChildren(...all.map(({ name, label, value }) => {
@@ -178,6 +185,7 @@ export function strip(model: Model, back: () => void): Strip {
 
   async function pick(slot: Slot, name: string): Promise<void> {
     const box = boxes.get(slot.blank);
+    chosen = slot.blank;
     if (slot.takes === "formula" || slot.takes === "formulas" || slot.takes === "names") {
       const before = slot.get(model.has.value);
       const at = box instanceof HTMLInputElement && document.activeElement === box ? (box.selectionStart ?? before.length) : before.length;
