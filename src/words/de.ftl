@@ -472,6 +472,7 @@ unknown_first-should = Prüfen Sie zuerst diesen Wert: spätere können aus ihm 
 
 scene-scene = Szenen
 scene-study = Studien
+scene-drawing = Zeichnung
 scene-style = Stil
 scene-form = Formular
 scene-marks = Bewertungs
@@ -1163,6 +1164,63 @@ photo-scaled = alle gefundenen Punkte liegen {$percent} % zu weit von den Polen 
 photo-scaled_down = alle gefundenen Punkte liegen {$percent} % zu nahe an den Polen
 photo-measure_ruler = legen Sie ein Lineal an das auf dem Blatt gedruckte: wenn dessen 50 mm nicht 50 mm lang sind, wurde das Blatt an die Seite angepasst gedruckt
 
+
+## Errors and warnings: board
+
+board-too_many = eine Zeichnung hat höchstens {$most} Einträge, und hier sind es {$count}
+board-no_formula = `{$text}` ist keine Formel: ab Zeichen {$place} ist sie nicht zu verstehen
+board-no_equation = `{$text}` ist keine Gleichung: es fehlt das =
+board-not_linear = `{$text}` ist nicht linear in den gesuchten Zahlen
+board-no_value = `{$text}` hat keinen Wert
+board-no_solution = die Gleichungen haben keine Lösung, oder viele
+board-taken = `{$name}` geht nicht als Name: er ist vergeben, oder keiner
+board-no_point = einen Punkt {$name} gibt es noch nicht
+board-no_line = eine Linie {$name} gibt es nicht
+board-no_number = {$name} ist noch nicht bekannt
+board-no_direction = {$name} hat keine Richtung
+board-no_reference = `{$name}` gibt keine Richtung: es ist keine Linie, kein Glied und keine Führung; zwei Punkte schreibt man als "B,C"
+board-which_points = Glied {$link} hat mehr oder weniger als zwei Punkte: sagen Sie, zwischen welchen, etwa "B,C"
+board-which_sheet = sagen Sie, auf welchem Blatt, etwa "on": "velocity"
+board-two_sheets = die Linien {$one} und {$two} liegen auf zwei Blättern
+board-no_crossing = die Linien {$one} und {$two} sind parallel
+board-line_misses = {$point} liegt nicht auf dieser Linie
+board-lines_of_others = {$point} liegt nicht dort, wo sich diese Linien schneiden
+board-point_elsewhere = {$point} liegt nicht dort
+board-number_wrong = das ist nicht {$name}
+board-equation_wrong = Gleichung {$number} gilt nicht
+board-leads_wrong = damit wird {$name} falsch
+board-drawn_off = diese Linie ist {$mm} mm und {$degrees}° neben dem Gemeinten gezeichnet
+board-point_off = dieser Punkt ist {$mm} mm neben dem Gemeinten markiert
+board-misread = {$name} ist {$mm} mm neben dem Gezeichneten abgelesen
+board-join = Linie {$name} durch {$one} und {$two}
+board-line = Linie {$name} durch {$point}, {$direction}
+board-line_by_eye = Linie {$name} nach Augenmaß
+board-cross = {$name}, wo sich {$one} und {$two} schneiden
+board-lay_off = {$name}: {$size} von {$point} aus abgetragen, {$direction}
+board-like = {$name} auf {$ends} wie im Dreieck {$points}
+board-mark = {$name} nach Augenmaß markiert
+board-measure = {$name} von {$one} nach {$two} gemessen
+board-compute = {$name} = {$formula}
+board-typed = {$name} = {$number}, eingetippt
+board-solve = {$names} aus Gleichungen
+board-undo = {$count -> [one] der letzte Eintrag zurückgenommen *[other] die letzten {$count} Einträge zurückgenommen}
+board-parallel = parallel zu {$to}
+board-normal = senkrecht zu {$to}
+board-turned = an {$base} unter dem Winkel von {$from} nach {$to}
+board-angle = unter {$degrees}°
+board-link = Glied {$name}
+board-guide = Führung {$name}
+board-drawn_line = Linie {$name}
+board-ccw = gegen den Uhrzeigersinn
+board-cw = im Uhrzeigersinn
+board-right = richtig
+board-wrong = falsch
+board-follows = folgt daraus
+board-unused = ungenutzt
+board-undone = zurückgenommen
+board-all_right = Jeder Schritt ist richtig.
+board-first_wrong = Der erste falsche Schritt ist Nummer {$number}.
+board-should = Richtig wäre: {$what}
 
 ## The workbench: layout
 

@@ -501,6 +501,7 @@ unknown_first-should = Look at it first: values that come later may follow from 
 
 scene-scene = scene
 scene-study = study
+scene-drawing = drawing
 scene-style = style
 scene-form = form of measured values
 scene-marks = marking scheme
@@ -1196,6 +1197,63 @@ photo-scaled = all points that are found are {$percent} % too far from the poles
 photo-scaled_down = all points that are found are {$percent} % too near to the poles
 photo-measure_ruler = lay a ruler on the one that is printed on the sheet: is its 50 mm not 50 mm long, the sheet was printed to fit the page
 
+
+## Errors and warnings: board
+
+board-too_many = a drawing has at most {$most} entries, and here are {$count}
+board-no_formula = `{$text}` is no formula: it is not understood from letter {$place} on
+board-no_equation = `{$text}` is no equation: it has no =
+board-not_linear = `{$text}` is not linear in the numbers that are sought
+board-no_value = `{$text}` has no value
+board-no_solution = the equations have no solution, or many
+board-taken = `{$name}` cannot be the name: it is taken, or no name
+board-no_point = there is no point {$name} yet
+board-no_line = there is no line {$name}
+board-no_number = {$name} is not known yet
+board-no_direction = {$name} has no direction
+board-no_reference = `{$name}` gives no direction: it is no line, link or guide; two points are written as "B,C"
+board-which_points = link {$link} has more than two points, or fewer: say between which, as "B,C"
+board-which_sheet = say on which sheet, as "on": "velocity"
+board-two_sheets = lines {$one} and {$two} are on two sheets
+board-no_crossing = lines {$one} and {$two} are parallel
+board-line_misses = {$point} does not lie on this line
+board-lines_of_others = {$point} is not where these lines cross
+board-point_elsewhere = {$point} is not there
+board-number_wrong = this is not {$name}
+board-equation_wrong = equation {$number} does not hold
+board-leads_wrong = with this, {$name} comes out wrong
+board-drawn_off = this line is drawn {$mm} mm and {$degrees}° off what was meant
+board-point_off = this point is marked {$mm} mm off what was meant
+board-misread = {$name} was read {$mm} mm off what was drawn
+board-join = line {$name} through {$one} and {$two}
+board-line = line {$name} through {$point}, {$direction}
+board-line_by_eye = line {$name} by eye
+board-cross = {$name} where {$one} and {$two} cross
+board-lay_off = {$name}: {$size} laid off from {$point}, {$direction}
+board-like = {$name} on {$ends} as in the triangle {$points}
+board-mark = {$name} marked by eye
+board-measure = {$name} measured from {$one} to {$two}
+board-compute = {$name} = {$formula}
+board-typed = {$name} = {$number}, typed
+board-solve = {$names} from equations
+board-undo = {$count -> [one] the last entry taken back *[other] the last {$count} entries taken back}
+board-parallel = parallel to {$to}
+board-normal = normal to {$to}
+board-turned = at {$base} by the angle from {$from} to {$to}
+board-angle = at {$degrees}°
+board-link = link {$name}
+board-guide = guide {$name}
+board-drawn_line = line {$name}
+board-ccw = counter-clockwise
+board-cw = clockwise
+board-right = right
+board-wrong = wrong
+board-follows = follows from it
+board-unused = unused
+board-undone = taken back
+board-all_right = Every operation is right.
+board-first_wrong = The first wrong operation is number {$number}.
+board-should = It should be: {$what}
 
 ## The workbench: layout
 

@@ -470,6 +470,7 @@ unknown_first-should = Revise este primero: los valores posteriores pueden segui
 
 scene-scene = escena
 scene-study = estudio
+scene-drawing = dibujo
 scene-style = estilo
 scene-form = valores medidos
 scene-marks = baremo
@@ -1161,6 +1162,63 @@ photo-scaled = todos los puntos encontrados están un {$percent} % demasiado lej
 photo-scaled_down = todos los puntos encontrados están un {$percent} % demasiado cerca de los polos
 photo-measure_ruler = ponga una regla sobre la que está impresa en la hoja: si sus 50 mm no miden 50 mm, la hoja se imprimió ajustada a la página
 
+
+## Errors and warnings: board
+
+board-too_many = un dibujo tiene como máximo {$most} entradas, y aquí hay {$count}
+board-no_formula = `{$text}` no es una fórmula: no se entiende a partir de la letra {$place}
+board-no_equation = `{$text}` no es una ecuación: falta el =
+board-not_linear = `{$text}` no es lineal en los números buscados
+board-no_value = `{$text}` no tiene valor
+board-no_solution = las ecuaciones no tienen solución, o tienen muchas
+board-taken = `{$name}` no sirve de nombre: ya está dado, o no es un nombre
+board-no_point = todavía no hay un punto {$name}
+board-no_line = no hay una línea {$name}
+board-no_number = {$name} todavía no se conoce
+board-no_direction = {$name} no tiene dirección
+board-no_reference = `{$name}` no da dirección: no es línea, eslabón ni guía; dos puntos se escriben como "B,C"
+board-which_points = el eslabón {$link} no tiene justo dos puntos: diga entre cuáles, como "B,C"
+board-which_sheet = diga en qué hoja, como "on": "velocity"
+board-two_sheets = las líneas {$one} y {$two} están en dos hojas
+board-no_crossing = las líneas {$one} y {$two} son paralelas
+board-line_misses = {$point} no está sobre esta línea
+board-lines_of_others = {$point} no está donde se cortan estas líneas
+board-point_elsewhere = {$point} no está ahí
+board-number_wrong = esto no es {$name}
+board-equation_wrong = la ecuación {$number} no se cumple
+board-leads_wrong = con esto, {$name} sale mal
+board-drawn_off = esta línea está dibujada a {$mm} mm y {$degrees}° de lo que se quería
+board-point_off = este punto está marcado a {$mm} mm de lo que se quería
+board-misread = {$name} se leyó a {$mm} mm de lo dibujado
+board-join = línea {$name} por {$one} y {$two}
+board-line = línea {$name} por {$point}, {$direction}
+board-line_by_eye = línea {$name} a ojo
+board-cross = {$name} donde se cortan {$one} y {$two}
+board-lay_off = {$name}: {$size} llevado desde {$point}, {$direction}
+board-like = {$name} sobre {$ends} como en el triángulo {$points}
+board-mark = {$name} marcado a ojo
+board-measure = {$name} medido de {$one} a {$two}
+board-compute = {$name} = {$formula}
+board-typed = {$name} = {$number}, escrito
+board-solve = {$names} de ecuaciones
+board-undo = {$count -> [one] retirada la última entrada *[other] retiradas las últimas {$count} entradas}
+board-parallel = paralela a {$to}
+board-normal = perpendicular a {$to}
+board-turned = en {$base} con el ángulo de {$from} a {$to}
+board-angle = a {$degrees}°
+board-link = eslabón {$name}
+board-guide = guía {$name}
+board-drawn_line = línea {$name}
+board-ccw = antihorario
+board-cw = horario
+board-right = correcto
+board-wrong = incorrecto
+board-follows = se deriva de ello
+board-unused = sin uso
+board-undone = retirado
+board-all_right = Todas las operaciones son correctas.
+board-first_wrong = La primera operación incorrecta es la número {$number}.
+board-should = Debería ser: {$what}
 
 ## The workbench: layout
 

@@ -472,6 +472,7 @@ unknown_first-should = Reveja este primeiro: os valores posteriores podem decorr
 
 scene-scene = cena
 scene-study = estudo
+scene-drawing = desenho
 scene-style = estilo
 scene-form = valores medidos
 scene-marks = pontuação
@@ -1163,6 +1164,63 @@ photo-scaled = todos os pontos encontrados estão {$percent} % longe demais dos 
 photo-scaled_down = todos os pontos encontrados estão {$percent} % perto demais dos polos
 photo-measure_ruler = ponha uma régua sobre a que está impressa na folha: se os 50 mm dela não medem 50 mm, a folha foi impressa ajustada à página
 
+
+## Errors and warnings: board
+
+board-too_many = um desenho tem no máximo {$most} entradas, e aqui há {$count}
+board-no_formula = `{$text}` não é uma fórmula: não se entende a partir da letra {$place}
+board-no_equation = `{$text}` não é uma equação: falta o =
+board-not_linear = `{$text}` não é linear nos números procurados
+board-no_value = `{$text}` não tem valor
+board-no_solution = as equações não têm solução, ou têm muitas
+board-taken = `{$name}` não serve de nome: já está dado, ou não é um nome
+board-no_point = ainda não há um ponto {$name}
+board-no_line = não há uma linha {$name}
+board-no_number = {$name} ainda não é conhecido
+board-no_direction = {$name} não tem direção
+board-no_reference = `{$name}` não dá direção: não é linha, elo nem guia; dois pontos escrevem-se como "B,C"
+board-which_points = o elo {$link} não tem exatamente dois pontos: diga entre quais, como "B,C"
+board-which_sheet = diga em que folha, como "on": "velocity"
+board-two_sheets = as linhas {$one} e {$two} estão em duas folhas
+board-no_crossing = as linhas {$one} e {$two} são paralelas
+board-line_misses = {$point} não está sobre esta linha
+board-lines_of_others = {$point} não está onde estas linhas se cruzam
+board-point_elsewhere = {$point} não está aí
+board-number_wrong = isto não é {$name}
+board-equation_wrong = a equação {$number} não se verifica
+board-leads_wrong = com isto, {$name} sai errado
+board-drawn_off = esta linha está desenhada a {$mm} mm e {$degrees}° do que se queria
+board-point_off = este ponto está marcado a {$mm} mm do que se queria
+board-misread = {$name} foi lido a {$mm} mm do desenhado
+board-join = linha {$name} por {$one} e {$two}
+board-line = linha {$name} por {$point}, {$direction}
+board-line_by_eye = linha {$name} a olho
+board-cross = {$name} onde se cruzam {$one} e {$two}
+board-lay_off = {$name}: {$size} marcado a partir de {$point}, {$direction}
+board-like = {$name} sobre {$ends} como no triângulo {$points}
+board-mark = {$name} marcado a olho
+board-measure = {$name} medido de {$one} a {$two}
+board-compute = {$name} = {$formula}
+board-typed = {$name} = {$number}, digitado
+board-solve = {$names} de equações
+board-undo = {$count -> [one] desfeita a última entrada *[other] desfeitas as últimas {$count} entradas}
+board-parallel = paralela a {$to}
+board-normal = perpendicular a {$to}
+board-turned = em {$base} com o ângulo de {$from} a {$to}
+board-angle = a {$degrees}°
+board-link = elo {$name}
+board-guide = guia {$name}
+board-drawn_line = linha {$name}
+board-ccw = anti-horário
+board-cw = horário
+board-right = certo
+board-wrong = errado
+board-follows = decorre disso
+board-unused = sem uso
+board-undone = desfeito
+board-all_right = Todas as operações estão certas.
+board-first_wrong = A primeira operação errada é a número {$number}.
+board-should = Deveria ser: {$what}
 
 ## The workbench: layout
 
