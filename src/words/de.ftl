@@ -1203,7 +1203,10 @@ board-measure = {$name} von {$one} nach {$two} gemessen
 board-compute = {$name} = {$formula}
 board-typed = {$name} = {$number}, eingetippt
 board-solve = {$names} aus Gleichungen
-board-undo = {$count -> [one] der letzte Eintrag zurückgenommen *[other] die letzten {$count} Einträge zurückgenommen}
+board-undo = {$count ->
+    [one] der letzte Eintrag zurückgenommen
+   *[other] die letzten {$count} Einträge zurückgenommen
+}
 board-parallel = parallel zu {$to}
 board-normal = senkrecht zu {$to}
 board-turned = an {$base} unter dem Winkel von {$from} nach {$to}
@@ -2000,6 +2003,7 @@ page-board-angle = unter dem Winkel
 page-board-sense_none = wie es herauskommt
 page-board-ccw = gegen den Uhrzeiger
 page-board-cw = im Uhrzeigersinn
+page-board-rubbed = {$name} ist ausradiert, mit dem, was daran hing.
 page-board-tool_lay_off = Stechzirkel: Vektor abtragen
 page-board-tool_line = Geodreieck: Gerade bekannter Richtung
 page-board-tool_join = Lineal: Gerade durch zwei Punkte
@@ -2008,6 +2012,7 @@ page-board-tool_like = Abbild: ähnliches Dreieck
 page-board-tool_measure = Strecke messen
 page-board-tool_compute = Taschenrechner
 page-board-tool_solve = Gleichungen lösen
+page-board-tool_rub = Radiergummi: ein Ding und was daran hängt
 page-board-short_lay_off = Zirkel
 page-board-short_line = Dreieck
 page-board-short_join = Lineal
@@ -2016,6 +2021,7 @@ page-board-short_like = Abbild
 page-board-short_measure = Messen
 page-board-short_compute = Rechnen
 page-board-short_solve = Lösen
+page-board-short_rub = Radieren
 page-board-form_lay_off = Im {$on} {$size} abtragen von {$from} {$how} {$reference} bis {$name}
 page-board-form_line = Im {$on} Gerade {$how} {$reference} durch {$through} namens {$name}
 page-board-form_join = Im {$on} Gerade durch {$first} und {$second} namens {$name}
@@ -2024,6 +2030,7 @@ page-board-form_like = Im {$on} wie {$three} zu {$one} und {$two} so liegt zu {$
 page-board-form_measure = Im {$on} messen von {$from} bis {$to} als {$name}
 page-board-form_compute = {$name} = {$as} {$sense}
 page-board-form_solve = Für {$solve} lösen {$equations}
+page-board-form_rub = {$name} ausradieren
 page-board-how_lay_off = Größe wählen, dann den Anfangspunkt drücken, dann das Glied oder die Gerade mit der Richtung.
 page-board-how_line = Glied oder Gerade drücken: Das Dreieck liegt daran. Dann den Punkt drücken, durch den die Gerade geht. T dreht es.
 page-board-how_join = Zwei Punkte drücken.
@@ -2032,6 +2039,7 @@ page-board-how_like = Drei Punkte eines Glieds im Schema drücken, dann die Bild
 page-board-how_measure = Zwei Punkte drücken.
 page-board-how_compute = Wählen, was es ist, und schreiben, wie es berechnet wird.
 page-board-how_solve = Unbekannte nennen und je Zeile eine Gleichung schreiben.
+page-board-how_rub = Die Gerade oder den Punkt drücken.
 page-board-slot_sheet = Blatt
 page-board-slot_point = Punkt
 page-board-slot_scheme = Punkt des Schemas
@@ -2046,6 +2054,7 @@ page-board-slot_line_name = Name der Geraden
 page-board-slot_number_name = Name der Zahl
 page-board-slot_names = Unbekannte
 page-board-slot_sense = Drehsinn
+page-board-slot_made = Was gezeichnet wurde
 page-board-wants_sheet = Auf welchem Blatt?
 page-board-wants_point = Ein Punkt fehlt: drücken oder wählen.
 page-board-wants_scheme = Ein Punkt des Schemas fehlt.
@@ -2060,6 +2069,7 @@ page-board-wants_line_name = Die Gerade braucht einen Namen.
 page-board-wants_number_name = Welche Zahl ist es? Name wählen.
 page-board-wants_names = Welches sind die Unbekannten?
 page-board-wants_sense = Welcher Drehsinn?
+page-board-wants_made = Drücken, was weg soll.
 
 
 ## The workbench: sheets

@@ -1236,7 +1236,10 @@ board-measure = {$name} measured from {$one} to {$two}
 board-compute = {$name} = {$formula}
 board-typed = {$name} = {$number}, typed
 board-solve = {$names} from equations
-board-undo = {$count -> [one] the last entry taken back *[other] the last {$count} entries taken back}
+board-undo = {$count ->
+    [one] the last entry taken back
+   *[other] the last {$count} entries taken back
+}
 board-parallel = parallel to {$to}
 board-normal = normal to {$to}
 board-turned = at {$base} by the angle from {$from} to {$to}
@@ -2033,6 +2036,7 @@ page-board-angle = at the angle
 page-board-sense_none = as it comes
 page-board-ccw = counter-clockwise
 page-board-cw = clockwise
+page-board-rubbed = {$name} is rubbed out, with what hung on it.
 page-board-tool_lay_off = Dividers: lay off a vector
 page-board-tool_line = Set square: line of known direction
 page-board-tool_join = Ruler: line through two points
@@ -2041,6 +2045,7 @@ page-board-tool_like = Image: similar triangle
 page-board-tool_measure = Measure a distance
 page-board-tool_compute = Calculator
 page-board-tool_solve = Solve equations
+page-board-tool_rub = Rubber: a thing and what hangs on it
 page-board-short_lay_off = Dividers
 page-board-short_line = Square
 page-board-short_join = Ruler
@@ -2049,6 +2054,7 @@ page-board-short_like = Image
 page-board-short_measure = Measure
 page-board-short_compute = Reckon
 page-board-short_solve = Solve
+page-board-short_rub = Rubber
 page-board-form_lay_off = In the {$on} lay off {$size} from {$from} {$how} {$reference} to {$name}
 page-board-form_line = In the {$on} line {$how} {$reference} through {$through} named {$name}
 page-board-form_join = In the {$on} line through {$first} and {$second} named {$name}
@@ -2057,6 +2063,7 @@ page-board-form_like = In the {$on} as {$three} lies to {$one} and {$two} so to 
 page-board-form_measure = In the {$on} measure from {$from} to {$to} as {$name}
 page-board-form_compute = {$name} = {$as} {$sense}
 page-board-form_solve = For {$solve} solve {$equations}
+page-board-form_rub = Rub out {$name}
 page-board-how_lay_off = The size; then press the point where it begins, and the link or line with its direction.
 page-board-how_line = Press a link or a line: the square lies on it. Then press the point through which the line goes. T turns it.
 page-board-how_join = Press two points.
@@ -2065,6 +2072,7 @@ page-board-how_like = Press three points of a link on the scheme, then the image
 page-board-how_measure = Press two points.
 page-board-how_compute = Choose what it is, and write how it is reckoned.
 page-board-how_solve = Name the unknowns, and write one equation a line.
+page-board-how_rub = Press the line or the point.
 page-board-slot_sheet = Sheet
 page-board-slot_point = Point
 page-board-slot_scheme = Point of the scheme
@@ -2079,6 +2087,7 @@ page-board-slot_line_name = Name of the line
 page-board-slot_number_name = Name of the number
 page-board-slot_names = Unknowns
 page-board-slot_sense = Sense
+page-board-slot_made = What was drawn
 page-board-wants_sheet = Which sheet?
 page-board-wants_point = A point is missing: press one, or choose it.
 page-board-wants_scheme = A point of the scheme is missing.
@@ -2093,6 +2102,7 @@ page-board-wants_line_name = The line needs a name.
 page-board-wants_number_name = Which number is it? Choose its name.
 page-board-wants_names = Which are the unknowns?
 page-board-wants_sense = Which sense?
+page-board-wants_made = Press what is to go.
 
 
 ## The workbench: sheets

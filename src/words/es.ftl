@@ -1201,7 +1201,10 @@ board-measure = {$name} medido de {$one} a {$two}
 board-compute = {$name} = {$formula}
 board-typed = {$name} = {$number}, escrito
 board-solve = {$names} de ecuaciones
-board-undo = {$count -> [one] retirada la última entrada *[other] retiradas las últimas {$count} entradas}
+board-undo = {$count ->
+    [one] retirada la última entrada
+   *[other] retiradas las últimas {$count} entradas
+}
 board-parallel = paralela a {$to}
 board-normal = perpendicular a {$to}
 board-turned = en {$base} con el ángulo de {$from} a {$to}
@@ -1998,6 +2001,7 @@ page-board-angle = con el ángulo
 page-board-sense_none = como sale
 page-board-ccw = antihorario
 page-board-cw = horario
+page-board-rubbed = {$name} está borrado, con lo que dependía de él.
 page-board-tool_lay_off = Compás de puntas: llevar un vector
 page-board-tool_line = Escuadra: recta de dirección conocida
 page-board-tool_join = Regla: recta por dos puntos
@@ -2006,6 +2010,7 @@ page-board-tool_like = Imagen: triángulo semejante
 page-board-tool_measure = Medir una distancia
 page-board-tool_compute = Calculadora
 page-board-tool_solve = Resolver ecuaciones
+page-board-tool_rub = Goma: una cosa y lo que depende de ella
 page-board-short_lay_off = Compás
 page-board-short_line = Escuadra
 page-board-short_join = Regla
@@ -2014,6 +2019,7 @@ page-board-short_like = Imagen
 page-board-short_measure = Medir
 page-board-short_compute = Calcular
 page-board-short_solve = Resolver
+page-board-short_rub = Goma
 page-board-form_lay_off = En el {$on} llevar {$size} desde {$from} {$how} {$reference} hasta {$name}
 page-board-form_line = En el {$on} recta {$how} {$reference} por {$through} con nombre {$name}
 page-board-form_join = En el {$on} recta por {$first} y {$second} con nombre {$name}
@@ -2022,6 +2028,7 @@ page-board-form_like = En el {$on} como está {$three} respecto de {$one} y {$tw
 page-board-form_measure = En el {$on} medir de {$from} a {$to} como {$name}
 page-board-form_compute = {$name} = {$as} {$sense}
 page-board-form_solve = Para {$solve} resolver {$equations}
+page-board-form_rub = Borrar {$name}
 page-board-how_lay_off = Elija el tamaño, pulse el punto donde empieza y luego la barra o recta que da su dirección.
 page-board-how_line = Pulse una barra o recta: la escuadra se apoya en ella. Luego pulse el punto por el que pasa la recta. T la gira.
 page-board-how_join = Pulse dos puntos.
@@ -2030,6 +2037,7 @@ page-board-how_like = Pulse tres puntos de una barra en el esquema y luego las i
 page-board-how_measure = Pulse dos puntos.
 page-board-how_compute = Elija qué es y escriba cómo se calcula.
 page-board-how_solve = Nombre las incógnitas y escriba una ecuación por renglón.
+page-board-how_rub = Pulse la recta o el punto.
 page-board-slot_sheet = Lámina
 page-board-slot_point = Punto
 page-board-slot_scheme = Punto del esquema
@@ -2044,6 +2052,7 @@ page-board-slot_line_name = Nombre de la recta
 page-board-slot_number_name = Nombre del número
 page-board-slot_names = Incógnitas
 page-board-slot_sense = Sentido
+page-board-slot_made = Lo dibujado
 page-board-wants_sheet = ¿En qué lámina?
 page-board-wants_point = Falta un punto: púlselo o elíjalo.
 page-board-wants_scheme = Falta un punto del esquema.
@@ -2058,6 +2067,7 @@ page-board-wants_line_name = La recta necesita un nombre.
 page-board-wants_number_name = ¿Qué número es? Elija su nombre.
 page-board-wants_names = ¿Cuáles son las incógnitas?
 page-board-wants_sense = ¿Qué sentido?
+page-board-wants_made = Pulse lo que debe irse.
 
 
 ## The workbench: sheets

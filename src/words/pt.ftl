@@ -1203,7 +1203,10 @@ board-measure = {$name} medido de {$one} a {$two}
 board-compute = {$name} = {$formula}
 board-typed = {$name} = {$number}, digitado
 board-solve = {$names} de equações
-board-undo = {$count -> [one] desfeita a última entrada *[other] desfeitas as últimas {$count} entradas}
+board-undo = {$count ->
+    [one] desfeita a última entrada
+   *[other] desfeitas as últimas {$count} entradas
+}
 board-parallel = paralela a {$to}
 board-normal = perpendicular a {$to}
 board-turned = em {$base} com o ângulo de {$from} a {$to}
@@ -2000,6 +2003,7 @@ page-board-angle = com o ângulo
 page-board-sense_none = como sai
 page-board-ccw = anti-horário
 page-board-cw = horário
+page-board-rubbed = {$name} foi apagado, com o que dependia dele.
 page-board-tool_lay_off = Compasso de pontas: marcar um vetor
 page-board-tool_line = Esquadro: reta de direção conhecida
 page-board-tool_join = Régua: reta por dois pontos
@@ -2008,6 +2012,7 @@ page-board-tool_like = Imagem: triângulo semelhante
 page-board-tool_measure = Medir uma distância
 page-board-tool_compute = Calculadora
 page-board-tool_solve = Resolver equações
+page-board-tool_rub = Borracha: uma coisa e o que depende dela
 page-board-short_lay_off = Compasso
 page-board-short_line = Esquadro
 page-board-short_join = Régua
@@ -2016,6 +2021,7 @@ page-board-short_like = Imagem
 page-board-short_measure = Medir
 page-board-short_compute = Calcular
 page-board-short_solve = Resolver
+page-board-short_rub = Borracha
 page-board-form_lay_off = No {$on} marcar {$size} desde {$from} {$how} {$reference} até {$name}
 page-board-form_line = No {$on} reta {$how} {$reference} por {$through} de nome {$name}
 page-board-form_join = No {$on} reta por {$first} e {$second} de nome {$name}
@@ -2024,6 +2030,7 @@ page-board-form_like = No {$on} como {$three} está para {$one} e {$two} está p
 page-board-form_measure = No {$on} medir de {$from} a {$to} como {$name}
 page-board-form_compute = {$name} = {$as} {$sense}
 page-board-form_solve = Para {$solve} resolver {$equations}
+page-board-form_rub = Apagar {$name}
 page-board-how_lay_off = Escolha o tamanho, toque o ponto onde começa e depois a barra ou reta que dá a direção.
 page-board-how_line = Toque uma barra ou reta: o esquadro se apoia nela. Depois toque o ponto por onde passa a reta. T gira.
 page-board-how_join = Toque dois pontos.
@@ -2032,6 +2039,7 @@ page-board-how_like = Toque três pontos de uma barra no esquema e depois as ima
 page-board-how_measure = Toque dois pontos.
 page-board-how_compute = Escolha o que é e escreva como se calcula.
 page-board-how_solve = Nomeie as incógnitas e escreva uma equação por linha.
+page-board-how_rub = Toque a reta ou o ponto.
 page-board-slot_sheet = Folha
 page-board-slot_point = Ponto
 page-board-slot_scheme = Ponto do esquema
@@ -2046,6 +2054,7 @@ page-board-slot_line_name = Nome da reta
 page-board-slot_number_name = Nome do número
 page-board-slot_names = Incógnitas
 page-board-slot_sense = Sentido
+page-board-slot_made = O que foi desenhado
 page-board-wants_sheet = Em que folha?
 page-board-wants_point = Falta um ponto: toque ou escolha.
 page-board-wants_scheme = Falta um ponto do esquema.
@@ -2060,6 +2069,7 @@ page-board-wants_line_name = A reta precisa de um nome.
 page-board-wants_number_name = Que número é? Escolha o nome.
 page-board-wants_names = Quais são as incógnitas?
 page-board-wants_sense = Que sentido?
+page-board-wants_made = Toque o que deve sair.
 
 
 ## The workbench: sheets

@@ -5,6 +5,10 @@ export type Entry = Readonly<Record<string, unknown>>;
 
 export interface Drawing {
   readonly kinegon_drawing: 1;
+  readonly name?: string;
+  readonly exercise?: string;
+  /** What the hand is helped with. */
+  readonly snap?: string;
   /** How many hints were opened. */
   readonly hints?: number;
   readonly did: readonly Entry[];

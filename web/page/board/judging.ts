@@ -46,8 +46,8 @@ export function judging(app: App, model: Model): Judging {
     }
   });
 
-  const name = (): string => fileName(String((model.drawing() as { exercise?: unknown }).exercise ?? app.solved.value.opened?.title ?? ""), "drawing");
-  const save = (): void => saveFile(`${name()}.json`, model.drawing().did.length === 0 ? model.text() : (model.known.value?.drawing ?? model.text()), "application/json");
+  const name = (): string => fileName(model.drawing().exercise ?? app.solved.value.opened?.title, "drawing");
+  const save = (): void => saveFile(`${name()}.json`, seen(), "application/json");
 
   let before = "";
   model.known.on(() => {

@@ -1,5 +1,6 @@
 /** What the board knows: the drawing, the entry under way, what the engine says of both. The drawing's text is the only state that is kept. */
 import type { App } from "../app.ts";
+import { formFile } from "../panels/check/form.ts";
 import { said } from "../refused.ts";
 import type { Sheet } from "../sheets.ts";
 import { newest } from "../state/newest.ts";
@@ -79,6 +80,11 @@ export function model(app: App): Model {
   const scene = (): string => app.solved.value.good;
   const text = (): string => app.history.now.value.drawing ?? "";
   const drawing = (): Drawing => drawingOf(known.value?.drawing ?? text()) ?? { kinegon_drawing: 1, did: [] };
+  /** A drawing to begin with: of which exercise it is, by whom, and what the hand is helped with. */
+  function empty(): string {
+    const { exercise, name } = formFile(app.history.now.value.form) ?? {};
+    return drawingText({ kinegon_drawing: 1, ...(name && { name }), ...(exercise && { exercise }), snap: use().snap, did: [] });
+  }
   const use = (): BoardUse => app.board.value ?? USUAL;
 
   function show(next: Board): void {
@@ -139,6 +145,19 @@ export function model(app: App): Model {
     return slot.set(entry, isFree ? both : free.number);
   }
 
+  /** Takes back what made a thing and all that hangs on it; what came after it and does not is written again. */
+  function rubbed(name: string): Entry[] | null {
+    const { did } = drawing();
+    const entries = known.value?.did ?? [];
+    const first = known.value?.things.find((thing) => thing.name === name && thing.entry !== null)?.entry;
+    if (first == null) return null;
+    const after = standing(did).filter((index) => index >= first);
+    const gone = new Set([first]);
+    for (const index of after) if (entries[index]?.needs.some((need) => gone.has(need))) gone.add(index);
+    const again = after.filter((index) => !gone.has(index)).map((index) => did[index]!);
+    return [{ undo: after.length }, ...again];
+  }
+
   async function write(): Promise<boolean> {
     const entry = named(has.value);
     const slot = lacking(tool.value, entry);
@@ -146,11 +165,12 @@ export function model(app: App): Model {
       says.set({ text: say(`wants_${slot.takes}`), isBad: true });
       return false;
     }
-    if (!(await put([entry]))) return false;
+    const entries = tool.value === "rub" ? rubbed(String(entry["rub"])) : [entry];
+    if (entries === null || !(await put(entries))) return false;
     undone = [];
     canRedo.set(false);
     has.set(begun(tool.value, entry));
-    const words = known.value?.did.at(-1)?.words ?? "";
+    const words = tool.value === "rub" ? say("rubbed", { name: String(entry["rub"]) }) : (known.value?.did.at(-1)?.words ?? "");
     says.set({ text: words, isBad: false });
     app.speak(words);
     return true;
@@ -243,7 +263,7 @@ export function model(app: App): Model {
   let last = "";
   const follow = (): void => {
     if (!app.drawing.value || scene() === "") return;
-    const wanted = looked.value ?? text();
+    const wanted = looked.value ?? (text() || empty());
     const now = `${scene()}\n${wanted}`;
     if (now === last) return;
     const isOtherScene = !last.startsWith(`${scene()}\n`);

@@ -16,6 +16,7 @@ const SHAPES: Record<Tool, string> = {
   measure: "M3 8v8M21 8v8M3 12h18M6 9l-3 3 3 3M18 9l3 3-3 3",
   compute: "M6 3h12v18H6zM9 7h6M9 12v.1M12 12v.1M15 12v.1M9 16v.1M12 16v.1M15 16v.1",
   solve: "M5 7h8M5 12h8M5 17h8M17 8.500h4M17 6.500h4M17 16h4M19 14v4M3 5v14",
+  rub: "M8 20 3.500 15.500 14 5l6 6-9 9zM9 10l6 6M8 20h12",
 };
 
 export function rail(model: Model): HTMLElement {

@@ -49,6 +49,8 @@ export function strip(model: Model, back: () => void): Strip {
         return things(["line"], () => true);
       case "direction":
         return things(["link", "guide", "line"], () => true);
+      case "made":
+        return known.things.filter(({ entry }) => entry !== null).map(({ name, words }) => [name, words]);
       case "how":
         return HOWS.map((how) => [how, say(how)]);
       case "sense":

@@ -1,15 +1,15 @@
-/** The tools: for each the entry that it writes, as slots that the list and the canvas fill alike. */
+/** The tools: for each the entry that it writes, as slots that the list and the canvas fill alike. The rubber writes what it needs of others (model.ts). */
 import type { Entry } from "./file.ts";
 
 /** In the order of their buttons. */
-export const TOOLS = ["lay_off", "line", "join", "cross", "like", "measure", "compute", "solve"] as const;
+export const TOOLS = ["lay_off", "line", "join", "cross", "like", "measure", "compute", "solve", "rub"] as const;
 export type Tool = (typeof TOOLS)[number];
 
 /** The letters that choose them. */
-export const KEY_OF: Record<Tool, string> = { lay_off: "d", line: "s", join: "r", cross: "p", like: "i", measure: "m", compute: "=", solve: "e" };
+export const KEY_OF: Record<Tool, string> = { lay_off: "d", line: "s", join: "r", cross: "p", like: "i", measure: "m", compute: "=", solve: "e", rub: "x" };
 
 /** What a slot takes: a point of the sheet that is drawn on, one of the scheme, a line, what has a direction, a way to lie to it, a formula, … */
-export type Takes = "sheet" | "point" | "scheme" | "line" | "direction" | "how" | "angle" | "formula" | "formulas" | "point_name" | "line_name" | "number_name" | "names" | "sense";
+export type Takes = "sheet" | "point" | "scheme" | "line" | "direction" | "how" | "angle" | "formula" | "formulas" | "point_name" | "line_name" | "number_name" | "names" | "sense" | "made";
 
 export interface Slot {
   /** Its blank in the tool's sentence. */
@@ -106,6 +106,8 @@ export function slotsOf(tool: Tool, entry: Entry): Slot[] {
       return [key("compute", "number_name", "name"), key("as", "formula"), key("sense", "sense", "sense", true)];
     case "solve":
       return [listed("solve", "names", ","), listed("equations", "formulas", "\n")];
+    case "rub":
+      return [key("rub", "made", "name")];
   }
 }
 

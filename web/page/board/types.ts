@@ -46,6 +46,8 @@ export interface BoardEntry {
   sheet: Sheet | null;
   stands: boolean;
   refused: Refused | null;
+  /** The entries whose results it uses. */
+  needs: number[];
 }
 
 export interface Board {
