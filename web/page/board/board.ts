@@ -48,10 +48,14 @@ function builds(app: App): { show(is: boolean): void } {
   document.body.append(root);
   hands(app, own, stages);
   const close = (): void => app.drawing.set(false);
-  keys(app, own, stages, { close, toStrip: below.focus });
+  keys(app, own, stages, below.focusWritten);
   const arrange = (): void => arranged(own, stages, sheets);
   own.alone.on(arrange);
-  own.known.on(arrange);
+  own.known.on(() => {
+    arrange();
+    // The sheets are there now, and have the keys.
+    if (!root.hidden && !root.contains(document.activeElement)) back();
+  });
   const narrow = window.matchMedia(NARROW);
   const fits = (): void => own.alone.set(narrow.matches ? own.alone.value || "velocity" : "");
   narrow.addEventListener("change", fits);

@@ -1,9 +1,10 @@
 /** Keys on the sheets: letters choose tools, N goes from one possible thing to the next, arrows move a cross, Enter is a press. */
 import type { App } from "../app.ts";
+import { called, type Sheet } from "../sheets.ts";
 import { snaps } from "./hands.ts";
 import type { Model } from "./model.ts";
 import type { Place, Stage } from "./stage.ts";
-import { HOWS, howOf, KEY_OF, slotsOf, TOOLS } from "./tools.ts";
+import { HOWS, howOf, KEY_OF, lacking, slotsOf, TOOLS } from "./tools.ts";
 import type { Snap } from "./types.ts";
 import { say } from "./words.ts";
 
@@ -16,16 +17,12 @@ const ALL = 1e4;
 
 const WAYS: Record<string, Place> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
-/** What else keys do. */
-export interface KeyActs {
-  close(): void;
-  /** The strip with the entry under way. */
-  toStrip(): void;
-}
-
-export function keys(app: App, model: Model, stages: readonly Stage[], acts: KeyActs): void {
-  /** What N goes through, with the entry and the sheet for which it was asked. */
-  let round: { of: string; all: Snap[]; at: number } = { of: "", all: [], at: -1 };
+/** `toStrip` goes to what is written next of the entry under way, if it is not pointed at. */
+export function keys(app: App, model: Model, stages: readonly Stage[], toStrip: () => void): void {
+  /** What N goes through, with the entry for which it was asked. */
+  let round: { of: string; all: { stage: Stage; snap: Snap }[]; at: number } = { of: "", all: [], at: -1 };
+  /** The plan on which keys were last. */
+  let plan: Sheet = "velocity";
 
   const middle = ({ view }: Stage): Place => view.toSheet([view.size.width / 2, view.size.height / 2]);
 
@@ -37,28 +34,42 @@ export function keys(app: App, model: Model, stages: readonly Stage[], acts: Key
     stage.draw();
   }
 
+  /** The sheets in the order in which what comes next is looked for: directions on the scheme, points where the entry is drawn. */
+  function inOrder(stage: Stage): Stage[] {
+    const takes = lacking(model.tool.value, model.has.value)?.takes;
+    const on = takes === "direction" || takes === "scheme" ? "scheme" : (model.has.value["on"] ?? (stage.sheet === "scheme" ? plan : stage.sheet));
+    const there = stages.filter(({ root }) => !root.classList.contains("missing"));
+    return [...there.filter(({ sheet }) => sheet === on), ...there.filter(({ sheet }) => sheet !== on)];
+  }
+
   async function next(stage: Stage, by: number): Promise<void> {
-    const of = `${stage.sheet} ${JSON.stringify(model.has.value)} ${model.drawing().did.length}`;
-    if (round.of !== of) round = { of, all: await snaps(app, model, stage, stage.cursor ?? middle(stage), ALL), at: by > 0 ? -1 : 0 };
+    const of = `${JSON.stringify(model.has.value)} ${model.drawing().did.length}`;
+    if (round.of !== of) {
+      const found = await Promise.all(inOrder(stage).map(async (each) => (await snaps(app, model, each, each.cursor ?? middle(each), ALL)).map((snap) => ({ stage: each, snap }))));
+      round = { of, all: found.flat(), at: by > 0 ? -1 : 0 };
+    }
     if (round.all.length === 0) return app.speak(say("nothing_here"));
     round.at = (round.at + by + round.all.length) % round.all.length;
-    const snap = round.all[round.at]!;
-    put(stage, snap.at);
-    stage.aim(snap);
-    app.speak(snap.words);
+    const { stage: on, snap } = round.all[round.at]!;
+    if (on !== stage) {
+      stage.aim(null);
+      if (model.alone.value !== "" && on.root.hidden) model.alone.set(on.sheet);
+      on.over.focus();
+    }
+    put(on, snap.at);
+    on.aim(snap);
+    app.speak(on === stage ? snap.words : `${called(on.sheet, "short")}: ${snap.words}`);
   }
 
   async function press(stage: Stage): Promise<void> {
-    const chosen = round.all[round.at];
+    const { snap: chosen } = round.all[round.at] ?? {};
     const isOn = chosen !== undefined && stage.cursor !== null && chosen.at[0] === stage.cursor[0] && chosen.at[1] === stage.cursor[1];
     const snap = isOn ? chosen : (await snaps(app, model, stage, stage.cursor ?? middle(stage), NEAR))[0];
     round = { of: "", all: [], at: -1 };
     stage.aim(null);
     if (snap === undefined) return app.speak(say("nothing_here"));
     app.speak(snap.words);
-    const isWritten = await model.take(snap);
-    // A name is chosen there; a direction may lie on another sheet.
-    if (!isWritten && snap.is_whole) acts.toStrip();
+    if (!(await model.take(snap))) toStrip();
   }
 
   async function moved(stage: Stage, to: Place): Promise<void> {
@@ -96,7 +107,7 @@ export function keys(app: App, model: Model, stages: readonly Stage[], acts: Key
     else if (tool !== undefined) {
       model.choose(tool);
       app.speak(`${say(`tool_${tool}`)}. ${say(`how_${tool}`)}`);
-      if (tool === "compute" || tool === "solve") acts.toStrip();
+      toStrip();
     } else if (/^[1-9]$/.test(key) && stages[Number(key) - 1] !== undefined) {
       const other = stages[Number(key) - 1]!;
       if (model.alone.value !== "") model.alone.set(other.sheet);
@@ -113,6 +124,7 @@ export function keys(app: App, model: Model, stages: readonly Stage[], acts: Key
       event.stopPropagation();
     });
     stage.over.addEventListener("focus", () => {
+      if (stage.sheet !== "scheme") plan = stage.sheet;
       if (!stage.over.matches(":focus-visible") || stage.cursor !== null) return;
       stage.cursor = model.known.value?.sheets.find(({ sheet }) => sheet === stage.sheet)?.pole ?? middle(stage);
       stage.draw();

@@ -19,6 +19,8 @@ export interface Strip {
   root: HTMLElement;
   /** Puts the keys on what is to be filled next. */
   focus(): void;
+  /** The same where that is written, and not pointed at. */
+  focusWritten(): void;
 }
 
 /** `back` gives the keys back to the sheets after something was written by keys there. */
@@ -207,6 +209,9 @@ export function strip(model: Model, back: () => void): Strip {
 
   async function write(): Promise<void> {
     await model.inTurn(async () => {
+      const next = lacking(model.tool.value, model.has.value);
+      // What is pointed at is pointed at on the sheets.
+      if (fromSheet && next !== undefined && !WRITTEN.includes(next.takes)) return back();
       const isWritten = await model.write();
       if (!isWritten) return own.focus();
       if (fromSheet) back();
@@ -235,6 +240,10 @@ export function strip(model: Model, back: () => void): Strip {
 
   const own: Strip = {
     root,
+    focusWritten() {
+      const next = lacking(model.tool.value, model.has.value);
+      if (next !== undefined && WRITTEN.includes(next.takes)) own.focus();
+    },
     focus() {
       fromSheet = root.parentElement?.querySelector(".over:focus") !== null;
       const next = lacking(model.tool.value, model.has.value);
