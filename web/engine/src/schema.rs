@@ -1,5 +1,5 @@
 use crate::answers::{Opened, Picture, Running, ValueRow, View};
-use crate::building::{Board, BoardView};
+use crate::building::{Drafted, DraftedView};
 use crate::checks::{CheckOptions, Checked};
 use crate::exercises::{Exercise, ExerciseOptions};
 use crate::files::{Drawn, FileRequest, OverCycle};
@@ -38,7 +38,7 @@ pub fn schema() -> Value {
         Drawn,
         ValueRow
     );
-    add!(Board, BoardView);
+    add!(Drafted, DraftedView);
     add!(Form, Checked, CheckOptions, Exercise, ExerciseOptions);
     add!(PhotoRead, Tapped, PlacedPoint, PointVerdict, Proposed);
     let mut definitions = types.take_definitions(true);

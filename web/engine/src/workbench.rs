@@ -94,8 +94,8 @@ impl Engine {
     ///
     /// # Errors
     /// A [`Refused`] as JSON.
-    pub fn board(&self, text: &str, view: &str) -> Result<String, String> {
-        answer(self.desk.language(), asked(view).and_then(|view| building::board(text, &view)))
+    pub fn drafted(&self, text: &str, view: &str) -> Result<String, String> {
+        answer(self.desk.language(), asked(view).and_then(|view| building::drafted(text, &view)))
     }
 
     /// The scene's text after some changes, with all points where they were, also where it is not complete.
