@@ -197,7 +197,9 @@ impl Screen {
         self.words.language
     }
 
-    pub(super) fn words(&self) -> Wording {
+    /// The language and the notation of what it says.
+    #[must_use]
+    pub fn words(&self) -> Wording {
         self.words
     }
 
@@ -256,7 +258,9 @@ impl Screen {
         let mut makers = BTreeMap::new();
         for (index, stands) in drawing.standing().into_iter().enumerate() {
             if let (true, Ok(made)) = (stands, table.carry_out_by_hand(&drawing.did[index])) {
-                things(&made).into_iter().for_each(|thing| drop(makers.insert(thing, index)));
+                things(&made).into_iter().for_each(|thing| {
+                    makers.insert(thing, index);
+                });
                 table.put(made);
             }
         }
