@@ -9,7 +9,7 @@ use super::reads::reads;
 use super::says;
 use super::slips::Slip;
 use super::table::{DrawnLine, Made, Table};
-use crate::check::Told;
+use crate::check::{Mistake, Told};
 use crate::geometry::unit;
 use crate::message::Message;
 use crate::sheet::Sheet;
@@ -24,6 +24,8 @@ pub(super) struct Bench<'j> {
     pub right: Vec<Table<'j>>,
     /// By line: the points at whose crossings it is used, in order.
     pub targets: BTreeMap<String, Vec<String>>,
+    /// By line: how many entries use it.
+    pub uses: BTreeMap<String, usize>,
     /// Points and numbers of the hand's own that are not known to be right, with the entries that made them: those of one's own that they
     /// hang on are among them.
     unsure: BTreeMap<Thing, usize>,
@@ -65,6 +67,7 @@ impl<'j> Bench<'j> {
             own: Table::new(judge.given(), scales),
             right: all.map(|given| Table::new(given, scales)).collect(),
             targets,
+            uses: BTreeMap::new(),
             unsure: BTreeMap::new(),
             typed: BTreeSet::new(),
             numbered: BTreeSet::new(),
@@ -77,6 +80,9 @@ impl<'j> Bench<'j> {
     pub fn judged(mut self, drawing: &'j HandDrawing) -> Result<JudgedDrawing, BoardError> {
         let mut verdicts = vec![Verdict::Undone; drawing.did.len()];
         let used = used(drawing, &self.own)?;
+        for (_, name) in used.iter().filter(|(sheet, _)| sheet.is_none()) {
+            *self.uses.entry(name.clone()).or_default() += 1;
+        }
         for (index, entry) in standing(drawing) {
             let made = self.own.carry_out_by_hand(entry).map_err(|message| BoardError { entry: index, message })?;
             // Of a free line what it means, where that is right.
@@ -130,16 +136,21 @@ impl<'j> Bench<'j> {
 
     /// The mistake of the catalogue that does the same, or a slip that explains it; of a free line whatever it may have meant.
     fn cause(&self, entry: &Entry, made: &Made, is_typed: bool) -> Option<Told> {
-        if let Some(right) = self.meant_to_be(entry, made)
-            && let Some(slip) = self.slip(entry, right, is_typed)
-        {
-            return Some(slip);
-        }
+        let slip = || self.meant_to_be(entry, made).and_then(|right| self.slip(entry, right, is_typed));
         let of = |entry: &Entry| self.causes.of(entry, made, &self.right, is_typed).map(|cause| cause.told);
         match entry {
             Entry::Line(line) => self.meant(line).iter().find_map(of),
-            Entry::Measure(Measure { read: Some(read), .. }) => of(entry).or_else(|| self.misreading(entry, *read)),
-            _ => of(entry),
+            // A vector has its classical mistakes; another length is a slip like others.
+            Entry::LayOff(_) => match of(entry) {
+                Some(told) if told.mistake != Mistake::WrongLength => Some(told),
+                other => slip().or(other),
+            },
+            // In equations signs are wrong, too, which the catalogue takes for something else.
+            Entry::Solve(_) => slip(),
+            Entry::Measure(Measure { read: Some(read), .. }) => {
+                slip().or_else(|| self.misreading(entry, *read)).or_else(|| of(entry))
+            }
+            _ => slip().or_else(|| of(entry)),
         }
     }
 
@@ -162,9 +173,11 @@ impl<'j> Bench<'j> {
         match made {
             Made::Place(sheet, name, _) => Some(Made::Place(*sheet, name.clone(), given.place(*sheet, name)?)),
             Made::Numbers(all) => {
-                let (name, _) = all.first()?;
-                let right = given.number(name).or_else(|| written_together(given, entry, name))?;
-                Some(Made::Numbers(vec![(name.clone(), right)]))
+                let right = |(name, _): &(String, f64)| {
+                    let right = given.number(name).or_else(|| written_together(given, entry, name))?;
+                    Some((name.clone(), right))
+                };
+                all.iter().map(right).collect::<Option<_>>().map(Made::Numbers)
             }
             Made::Line(..) => None,
         }
@@ -251,7 +264,6 @@ impl<'j> Bench<'j> {
     /// Puts the right things down in all scenes.
     fn put_right(&mut self, index: usize, entry: &Entry, made: &Made, is_typed: bool, verdict: &Verdict) {
         let is_wrong = matches!(verdict, Verdict::Wrong(_));
-        let turned = self.is_turned(entry);
         let meant = self.right_meaning(entry);
         let entry = meant.as_ref().unwrap_or(entry);
         let is_typed = is_typed || self.reads_typed(entry);
@@ -275,7 +287,6 @@ impl<'j> Bench<'j> {
                     let right = all.into_iter().map(|(name, number)| {
                         let right = table.given.number(&name).or_else(|| written_together(table.given, entry, &name));
                         is_own |= right.is_none();
-                        let right = right.map(|right| if turned { -right } else { right });
                         (name, right.unwrap_or(number))
                     });
                     Made::Numbers(right.collect())
@@ -307,23 +318,9 @@ impl<'j> Bench<'j> {
             Made::Line(..) => true,
         }
     }
-
-    /// Whether a rate of a link is right but for its sign, which the entry does not state: then its size is meant.
-    fn is_turned(&self, entry: &Entry) -> bool {
-        let Entry::Compute(Compute { compute, sense: None, by, value }) = entry else { return false };
-        let Some(right) = self.judge.given().number(compute).filter(|_| turns(compute)) else { return false };
-        let found = match by {
-            Some(_) => match self.right[0].carry_out(entry) {
-                Ok(Made::Numbers(all)) => all.first().map_or(0.0, |(_, number)| *number),
-                _ => 0.0,
-            },
-            None => value.unwrap_or(0.0),
-        };
-        found > 0.0 && right < 0.0
-    }
 }
 
-/// Whether a quantity is a rate of rotation, of which a size may stand without a sense.
+/// Whether a quantity is a rate of rotation.
 pub(super) fn turns(name: &str) -> bool {
     use crate::scene::{Head, QuantityName};
     QuantityName::parse(name).is_some_and(|name| matches!(name.head, Head::Omega | Head::Alpha))
@@ -377,9 +374,9 @@ pub(super) fn things(made: &Made) -> Vec<Thing> {
     }
 }
 
-/// All things that entries read.
-fn used(drawing: &HandDrawing, empty: &Table<'_>) -> Result<BTreeSet<Thing>, BoardError> {
-    let (mut table, mut used) = (empty.clone(), BTreeSet::new());
+/// All things that entries read, as often as they do.
+fn used(drawing: &HandDrawing, empty: &Table<'_>) -> Result<Vec<Thing>, BoardError> {
+    let (mut table, mut used) = (empty.clone(), Vec::new());
     for (entry, act) in standing(drawing) {
         let made = table.carry_out_by_hand(act).map_err(|message| BoardError { entry, message })?;
         used.extend(reads(act, &table));

@@ -163,13 +163,13 @@ impl<'j> Causes<'j> {
         3.0 * self.judge.tolerance().mm + segment.map_or(0.0, |segment| self.band(&segment) / scale)
     }
 
-    /// Three times the band of honest drawings of a quantity; 0 where a hand does not read it.
+    /// The band of honest drawings of a quantity; 0 where a hand does not read it.
     pub fn band(&self, name: &str) -> f64 {
         let given = self.judge.given();
         let Ok(asked) = QuantityRequest::new(name, given.mechanism()) else { return 0.0 };
         let scales = self.judge.usual_scales().map(Some);
         let pencil = crate::quantity::pencil(&given.solution, &scales, *self.judge.tolerance(), vec![asked]);
-        pencil.band(name).map_or(0.0, |band| if band.band.is_finite() { 3.0 * band.band } else { 0.0 })
+        pencil.band(name).map_or(0.0, |band| if band.band.is_finite() { band.band } else { 0.0 })
     }
 }
 

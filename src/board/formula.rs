@@ -100,6 +100,11 @@ impl Formula {
         self.value.has(&|_| true)
     }
 
+    /// Whether there is a power in it.
+    pub(super) fn has_power(&self) -> bool {
+        self.value.has_power()
+    }
+
     /// The names in it, in order.
     pub(super) fn names(&self) -> Vec<&str> {
         let mut names = Vec::new();
@@ -138,6 +143,15 @@ impl Node {
                 }
             }
         })
+    }
+
+    fn has_power(&self) -> bool {
+        match self {
+            Node::Number(_) | Node::Name(_) => false,
+            Node::Minus(node) | Node::Of(_, node) => node.has_power(),
+            Node::Two(Sign::Power, _) => true,
+            Node::Two(_, two) => two.iter().any(Node::has_power),
+        }
     }
 
     /// Whether it has such numbers, but for exponents.

@@ -1,12 +1,12 @@
 //! Slips within one operation: another number in its formula, a factor, a sign, another point, a misread ruler. Each is undone, and where
 //! the operation is right then, it was that.
 
-use super::file::{Compute, Entry, LayOff, Like, Measure};
+use super::file::{Compute, Entry, LayOff, Like, Measure, Solve};
 use super::formula::Formula;
 use super::table::{Made, Table};
-use crate::check::Blank;
 use crate::check::Told;
 use crate::check::tell;
+use crate::check::{Blank, Mistake};
 use crate::geometry::{Vector, cross};
 use crate::quantity::QuantityRequest;
 use crate::scene::{Head, QuantityName};
@@ -36,6 +36,7 @@ impl Slip<'_, '_> {
             (Entry::Compute(compute), Made::Numbers(found), Made::Numbers(right)) => {
                 self.computed(compute, found.first()?, right.first()?.1)
             }
+            (Entry::Solve(solve), _, Made::Numbers(right)) => self.solved(solve, right),
             (Entry::LayOff(laid), Made::Place(sheet, name, at), Made::Place(_, _, right)) => {
                 self.laid_off(laid, *sheet, name, [*at, *right])
             }
@@ -96,6 +97,27 @@ impl Slip<'_, '_> {
         of_formula.or_else(|| self.factor(name, compute.by.as_ref(), *found, right)).or_else(|| {
             let is_typed = compute.by.is_none();
             is_typed.then(|| written_otherwise(name, *found, right, self.tolerance)).flatten()
+        })
+    }
+
+    /// Equations in which another length or segment stands than should.
+    fn solved(&self, solve: &Solve, right: &[(String, f64)]) -> Option<Told> {
+        let unknown = |name: &str| right.iter().find(|(own, _)| own == name).map(|(_, number)| *number);
+        solve.equations.iter().find_map(|text| {
+            let [left, other] = Formula::sides(text).ok()?;
+            let remains = |exchanged: &str, by: f64| -> Option<f64> {
+                let mut number = |own: &str| match unknown(own) {
+                    _ if own == exchanged => Ok(by),
+                    Some(number) => Ok(number),
+                    None => self.table.formula_number(own),
+                };
+                let [a, b] = [left.value(&mut number).ok()?, other.value(&mut number).ok()?];
+                Some((a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE))
+            };
+            if remains("", 0.0)? <= self.tolerance {
+                return None;
+            }
+            self.exchanged(&[&left, &other], &|own, by| remains(own, by).is_some_and(|rest| rest <= self.tolerance))
         })
     }
 
@@ -160,25 +182,66 @@ impl Slip<'_, '_> {
                         return Some(tell::omega_of_another_link(from, to, symbol(other), length(), symbol(own)));
                     }
                 }
-                Head::Between(Sheet::Scheme) => {
-                    let other = lengths(self.table).into_iter().find(|(_, length)| is_right(own, *length));
-                    if let (Some((other, _)), [from, to]) = (other, quantity.arguments.as_slice()) {
-                        let [from, to] = [from, to].map(|end| Blank::from(end.as_str()));
-                        return Some(tell::wrong_length(symbol(&other), from, to));
-                    }
-                }
-                Head::Between(sheet) => {
-                    let Some(order) = sheet.order() else { continue };
-                    let other = segments(self.table, order).into_iter().find(|(_, length)| is_right(own, *length));
-                    if let (Some((other, _)), [from, to]) = (other, quantity.arguments.as_slice()) {
-                        let [from, to] = [from, to].map(|end| Blank::from(end.as_str()));
-                        return Some(tell::wrong_segment(Blank::Quantity(other), from, to));
+                Head::Velocity if quantity.arguments.len() == 1 => {
+                    let other = segments(self.table, Order::Velocity).into_iter().find(|(_, v)| is_right(own, *v));
+                    if other.is_some() {
+                        let [from, to] = ends();
+                        let image = super::given::image(&quantity.arguments[0]);
+                        return Some(tell::normal_from_absolute(
+                            from,
+                            to,
+                            self.rate_of(formula),
+                            length(),
+                            image.as_str().into(),
+                        ));
                     }
                 }
                 _ => {}
             }
         }
-        None
+        let exchanged = self.exchanged(&[formula], &is_right)?;
+        // The velocity in a normal part is that of one point relative to the other.
+        let pole = formula.names().into_iter().find_map(|own| {
+            let (sheet, ends) = super::reads::segment_of(own).filter(|(sheet, _)| *sheet == Sheet::Velocity)?;
+            let absolute = ends.iter().position(|end| self.table.given.place(sheet, end) == Some(Vector::zeros()))?;
+            Some(ends[1 - absolute].clone())
+        });
+        let is_normal = formula.names().iter().any(|name| name.starts_with("L("));
+        match pole {
+            Some(point) if is_normal && exchanged.mistake == Mistake::WrongSegment && formula.has_power() => {
+                let [from, to] = ends();
+                Some(tell::normal_from_absolute(from, to, self.rate_of(formula), length(), point.as_str().into()))
+            }
+            _ => Some(exchanged),
+        }
+    }
+
+    /// The angular velocity of the link whose length stands in a formula.
+    fn rate_of(&self, formula: &Formula) -> Blank {
+        let mechanism = self.table.given.mechanism();
+        let ends = formula.names().into_iter().find_map(super::reads::segment_of).map(|(_, ends)| ends);
+        let link = ends.and_then(|ends| {
+            let points = [mechanism.point(&ends[0])?, mechanism.point(&ends[1])?];
+            mechanism.links().find(|(_, body)| points.iter().all(|point| body.points.contains(point)))
+        });
+        link.map_or("".into(), |(_, body)| Blank::Symbol(format!("omega({})", body.name)))
+    }
+
+    /// A length or a segment that stands for another, which would be right.
+    fn exchanged(&self, formulas: &[&Formula], is_right: &dyn Fn(&str, f64) -> bool) -> Option<Told> {
+        formulas.iter().flat_map(|formula| formula.names()).find_map(|own| {
+            let (sheet, ends) = super::reads::segment_of(own)?;
+            let all = match sheet.order() {
+                None => lengths(self.table),
+                Some(order) => segments(self.table, order),
+            };
+            let (other, _) = all.into_iter().find(|(_, length)| is_right(own, *length))?;
+            let [from, to] = ends.each_ref().map(|end| Blank::from(end.as_str()));
+            Some(match sheet {
+                Sheet::Scheme => tell::wrong_length(Blank::Symbol(other), from, to),
+                _ => tell::wrong_segment(Blank::Quantity(other), from, to),
+            })
+        })
     }
 
     /// A factor that should not be there.
