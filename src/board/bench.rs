@@ -9,8 +9,8 @@ use super::reads::reads;
 use super::says;
 use super::slips::Slip;
 use super::table::{DrawnLine, Made, Table};
-use crate::check::{Mistake, Told};
-use crate::geometry::unit;
+use crate::check::{Mistake, Told, tell};
+use crate::geometry::{Vector, unit};
 use crate::message::Message;
 use crate::sheet::Sheet;
 use std::collections::{BTreeMap, BTreeSet};
@@ -137,9 +137,15 @@ impl<'j> Bench<'j> {
     /// The mistake of the catalogue that does the same, or a slip that explains it; of a free line whatever it may have meant.
     fn cause(&self, entry: &Entry, made: &Made, is_typed: bool) -> Option<Told> {
         let slip = || self.meant_to_be(entry, made).and_then(|right| self.slip(entry, right, is_typed));
-        let of = |entry: &Entry| self.causes.of(entry, made, &self.right, is_typed).map(|cause| cause.told);
+        let of = |entry: &Entry| {
+            let typed = if is_typed { self.as_if_right(entry, true) } else { None };
+            self.causes.of(entry, made, &self.right, typed.as_ref()).map(|cause| cause.told)
+        };
         match entry {
-            Entry::Line(line) => self.meant(line).iter().find_map(of),
+            Entry::Line(line) => {
+                let meant = self.meant(line);
+                meant.iter().find_map(of).or_else(|| meant.iter().find_map(|meant| self.turned_over(meant)))
+            }
             // A vector has its classical mistakes; another length is a slip like others.
             Entry::LayOff(_) => match of(entry) {
                 Some(told) if told.mistake != Mistake::WrongLength => Some(told),
@@ -154,6 +160,19 @@ impl<'j> Bench<'j> {
         }
     }
 
+    /// A ray at the angle of a link's triangle that was laid off to the wrong side.
+    fn turned_over(&self, entry: &Entry) -> Option<Told> {
+        let Entry::Line(line) = entry else { return None };
+        let Some(Direction::Turned { turned: [from, to], base }) = &line.along else { return None };
+        let turned = [to.clone(), from.clone()];
+        let other = Line { along: Some(Direction::Turned { turned, base: base.clone() }), ..line.clone() };
+        let is_right = matches!(self.holds(&Entry::Line(other), &line.line, false), super::alone::Held::All);
+        let target = self.targets.get(&line.line)?.first()?;
+        let through = line.through.as_deref()?;
+        let end = base.split(',').map(str::trim).find(|end| *end != through)?;
+        is_right.then(|| tell::mirrored_image(through.into(), target.as_str().into(), end.into()))
+    }
+
     fn misreading(&self, entry: &Entry, read: f64) -> Option<Told> {
         let Entry::Measure(measure) = entry else { return None };
         Slip::misread(&self.own, measure, self.measured_on(measure)?, read)
@@ -162,9 +181,44 @@ impl<'j> Bench<'j> {
     /// The slip that explains how an entry makes something else than it should.
     fn slip(&self, entry: &Entry, right: Made, is_typed: bool) -> Option<Told> {
         let table = &self.right[0];
-        let alone = table.carried_out_again(entry).ok()?;
+        let alone = self.as_if_right(entry, is_typed)?;
         let tolerance = if is_typed || has_numbers(entry) { 0.012 } else { 1e-6 };
         Slip { table, entry, alone: &alone, right, tolerance }.told()
+    }
+
+    /// What an entry makes in the scene with right inputs. A typed number was worked out from the hand's own things: it is taken in the
+    /// same ratio to what should come out of these.
+    fn as_if_right(&self, entry: &Entry, is_typed: bool) -> Option<Made> {
+        let table = &self.right[0];
+        let alone = table.carried_out_again(entry).ok()?;
+        if !is_typed {
+            return Some(alone);
+        }
+        let given = self.judge.given();
+        Some(match (alone, entry) {
+            (Made::Place(sheet, name, at), Entry::LayOff(LayOff { from, .. })) => {
+                let own = self.own.place(sheet, from).zip(table.place(sheet, from));
+                let expected = self.causes.expected_place(&self.own, sheet, &name).zip(given.place(sheet, &name));
+                let at = own.zip(expected).map_or(at, |((own_start, start), (expected, right))| {
+                    let found = match self.own.carried_out_again(entry) {
+                        Ok(Made::Place(_, _, found)) => found - own_start,
+                        _ => at - start,
+                    };
+                    start + over(times(found, right - start), expected - own_start).unwrap_or(at - start)
+                });
+                Made::Place(sheet, name, at)
+            }
+            (Made::Numbers(all), Entry::Compute(Compute { by: None, .. })) => {
+                let scaled = all.into_iter().map(|(name, number)| {
+                    let expected = self.causes.expected_number(&self.own, &name).zip(given.number(&name));
+                    let ratio = expected.map_or(1.0, |(expected, right)| right / expected);
+                    let is_near = (ratio.abs() - 1.0).abs() < 0.2;
+                    (name, if is_near { number * ratio.abs() } else { number })
+                });
+                Made::Numbers(scaled.collect())
+            }
+            (alone, _) => alone,
+        })
     }
 
     /// What an entry should make, where its name says that.
@@ -318,6 +372,17 @@ impl<'j> Bench<'j> {
             Made::Line(..) => true,
         }
     }
+}
+
+/// The product of two vectors as complex numbers.
+fn times(a: Vector, b: Vector) -> Vector {
+    Vector::new(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
+}
+
+/// Their quotient; `None` where the divisor is nothing.
+fn over(a: Vector, b: Vector) -> Option<Vector> {
+    let size = b.norm_squared();
+    (size > 0.0).then(|| times(a, Vector::new(b.x, -b.y)) / size)
 }
 
 /// Whether a quantity is a rate of rotation.

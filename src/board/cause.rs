@@ -39,17 +39,19 @@ impl<'j> Causes<'j> {
         })
     }
 
-    /// The mistake that does in all scenes what this entry does with right inputs, where numbers were typed in the scene itself; of several the commonest.
-    pub fn of(&self, entry: &Entry, made: &Made, right: &[Table<'_>], is_typed: bool) -> Option<Cause> {
-        let scenes = if is_typed { 1 } else { right.len() };
+    /// The mistake that does in all scenes what this entry does with right inputs, and in the scene alone what `typed` numbers make of it;
+    /// of several the commonest.
+    pub fn of(&self, entry: &Entry, made: &Made, right: &[Table<'_>], typed: Option<&Made>) -> Option<Cause> {
+        let scenes = if typed.is_some() { 1 } else { right.len() };
         let mut left: Option<Vec<Cause>> = None;
         for (replayed, table) in self.replayed().iter().zip(right).take(scenes) {
-            let (Some(replayed), Ok(alone)) = (replayed, table.carry_out(entry)) else { continue };
+            let alone = typed.cloned().map_or_else(|| table.carry_out(entry), Ok);
+            let (Some(replayed), Ok(alone)) = (replayed, alone) else { continue };
             let start = match (entry, made) {
                 (Entry::LayOff(LayOff { from, .. }), Made::Place(sheet, ..)) => table.place(*sheet, from),
                 _ => None,
             };
-            let tolerance = if is_typed { 0.012 } else { 1e-6 };
+            let tolerance = if typed.is_some() { 0.012 } else { 1e-6 };
             let seen = Seen { table, entry, alone: &alone, start, tolerance };
             let found = replayed.candidates().filter_map(|(candidate, touched)| {
                 let likeness = touched.iter().map(|touched| seen.likeness(touched, replayed)).fold(0.0, f64::max);

@@ -1,7 +1,7 @@
 //! Slips within one operation: another number in its formula, a factor, a sign, another point, a misread ruler. Each is undone, and where
 //! the operation is right then, it was that.
 
-use super::file::{Compute, Entry, LayOff, Like, Measure, Solve};
+use super::file::{Compute, Direction, Entry, LayOff, Like, Measure, Solve};
 use super::formula::Formula;
 use super::table::{Made, Table};
 use crate::check::Told;
@@ -79,13 +79,13 @@ impl Slip<'_, '_> {
         let near = |x: f64| (x.abs() - read.abs()).abs() <= 0.02 * drawn.min(x.abs());
         let [start, end] = [&measure.from, &measure.to].map(|end| Blank::from(end.as_str()));
         let quantity = Blank::Quantity(name.clone());
-        if let Some(told) = written_otherwise(name, read, drawn, 0.012) {
-            return Some(told);
-        }
         if near(run.x) {
             return Some(tell::component(quantity, Blank::Horizontal, start, end));
         }
-        near(run.y).then(|| tell::component(quantity, Blank::Vertical, start, end))
+        if near(run.y) {
+            return Some(tell::component(quantity, Blank::Vertical, start, end));
+        }
+        written_otherwise(name, read, drawn, 0.012)
     }
 
     fn computed(&self, compute: &Compute, (name, found): &(String, f64), right: f64) -> Option<Told> {
@@ -93,8 +93,12 @@ impl Slip<'_, '_> {
         if self.is_same(*found, -right) && (is_rate || name.starts_with("v_r") || name.starts_with("a_r")) {
             return Some(tell::wrong_sense(Blank::Symbol(name.clone())));
         }
-        let of_formula = compute.by.as_ref().and_then(|by| self.formula(by, name, right));
-        of_formula.or_else(|| self.factor(name, compute.by.as_ref(), *found, right)).or_else(|| {
+        let factor = || self.factor(name, compute.by.as_ref(), *found, right);
+        let of_formula = || compute.by.as_ref().and_then(|by| self.formula(by, name, right));
+        // A number that stands in a formula is rather a factor too many.
+        let has_numbers = compute.by.as_ref().is_some_and(Formula::has_numbers);
+        let told = if has_numbers { factor().or_else(of_formula) } else { of_formula().or_else(factor) };
+        told.or_else(|| {
             let is_typed = compute.by.is_none();
             is_typed.then(|| written_otherwise(name, *found, right, self.tolerance)).flatten()
         })
@@ -138,10 +142,19 @@ impl Slip<'_, '_> {
         let ratio = found.dot(&meant) / meant.norm_squared();
         let sign = self.table.formula(&laid.size).ok()?.signum() * ratio.signum();
         if self.is_same(ratio, -1.0) {
-            return Some(tell::reversed_vector(laid.from.as_str().into(), name.into()));
+            let [from, to] = [Blank::from(laid.from.as_str()), Blank::from(name)];
+            let is_normal = sheet == Sheet::Acceleration && matches!(laid.along, Direction::Parallel { .. });
+            let length = laid.size.names().into_iter().find(|name| name.starts_with("L("));
+            return Some(match length {
+                Some(length) if is_normal => {
+                    tell::normal_outward(from, to, self.rate_of(&laid.size), Blank::Symbol(length.to_owned()))
+                }
+                _ => tell::reversed_vector(from, to),
+            });
         }
-        let formula = self.formula(&laid.size, name, meant.norm() * sign);
-        formula.or_else(|| self.factor(name, Some(&laid.size), ratio, 1.0))
+        let formula = || self.formula(&laid.size, name, meant.norm() * sign);
+        let factor = || self.factor(name, Some(&laid.size), ratio * meant.norm(), meant.norm());
+        if laid.size.has_numbers() { factor().or_else(formula) } else { formula().or_else(factor) }
     }
 
     /// The vector of the construction that leads to a point, and where it begins.
