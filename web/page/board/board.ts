@@ -123,8 +123,13 @@ function head(app: App, own: Model, told: ReturnType<typeof judging>, drawer: HT
   own.canRedo.on((can) => (redo.disabled = !can));
   const given = element("p", { class: "given" });
   own.known.on((known) => (given.innerHTML = known?.given.map(({ label, value, unit }) => `<span>${label} = ${value} ${unit}</span>`).join(" ") ?? ""));
-  const hint = button(() => say("hint"), () => void told.hint(), { id: "board-hint" });
-  const check = button(() => say("check"), told.check, { id: "board-check" });
+  const asks = (saying: Saying, pictogram: string, press: () => void, id: string): HTMLButtonElement => {
+    const made = tool(saying, pictogram, press, id);
+    made.append(worded(element("span", { class: "text" }), () => say(saying)));
+    return made;
+  };
+  const hint = asks("hint", "help", () => void told.hint(), "board-hint");
+  const check = asks("check", "check", told.check, "board-check");
   const handIn = button(() => say("hand_in"), () => void told.handIn(), { id: "board-hand-in", class: "main" });
   const openList = tool("list", "steps", () => openList.setAttribute("aria-pressed", String(drawer.classList.toggle("open"))), "board-open-list");
   openList.setAttribute("aria-pressed", "false");
