@@ -2,6 +2,7 @@
 
 use super::cause::{Cause, Causes};
 use super::file::{Compute, Cross, Entry, HandDrawing, LayOff, Line, Mark, Measure};
+use super::formula::Formula;
 use super::given::{Given, usual};
 use super::others::others;
 use super::reads::reads;
@@ -87,7 +88,7 @@ const FREE: f64 = 3.0;
 const SAME: f64 = 1e-6;
 
 /// Most numbers of a formula whose signs are tried: in another scene a segment may run the other way.
-const MOST_SIGNS: u32 = 6;
+const MOST_SIGNS: usize = 6;
 
 impl Judge {
     /// A judge for the scene of an answer key.
@@ -261,7 +262,7 @@ impl<'j> Bench<'j> {
     /// What an entry comes to with right inputs.
     fn found(&self, entry: &Entry, made: &Made) -> Found {
         match (entry, made) {
-            (Entry::Line(line), Made::Line(name, _)) => self.found_line(entry, line, name),
+            (Entry::Line(line), Made::Line(name, _)) => self.found_line(line, name),
             (Entry::Join(_), Made::Line(name, _)) => match self.holds(entry, name) {
                 // Two points that are there are joined rightly, whatever for.
                 Held::Nothing => Found::Own,
@@ -278,7 +279,7 @@ impl<'j> Bench<'j> {
         }
     }
 
-    fn found_line(&self, entry: &Entry, line: &Line, name: &str) -> Found {
+    fn found_line(&self, line: &Line, name: &str) -> Found {
         let meant = self.meant(line);
         let mut missed = None;
         for one in &meant {
@@ -291,7 +292,6 @@ impl<'j> Bench<'j> {
                 Held::Not(point) => missed = missed.or_else(|| Some(says::line_misses(point))),
             }
         }
-        let _ = entry;
         match (missed, self.targets.get(name)) {
             (Some(missed), _) => Found::Wrong(missed),
             (None, Some(targets)) => Found::Wrong(says::line_misses(targets[0].as_str())),
@@ -446,19 +446,13 @@ impl<'j> Bench<'j> {
             if right(table) {
                 return true;
             }
-            let signs = if scene > 0 { table.numbers_read().min(MOST_SIGNS) } else { 0 };
-            let found = (1..1_u32 << signs).any(|turned| {
-                table.turned.set(turned);
-                right(table)
-            });
-            table.turned.set(0);
-            found
+            scene > 0 && any_signs(table, &formulas(entry), || right(table))
         })
     }
 
     fn found_numbers(&self, entry: &Entry, made: &Made) -> Found {
         if let Entry::Solve(solve) = entry {
-            return self.found_equations(entry, solve);
+            return self.found_equations(solve);
         }
         let Made::Numbers(all) = made else { return Found::Own };
         let Some((name, own)) = all.first() else { return Found::Own };
@@ -537,7 +531,7 @@ impl<'j> Bench<'j> {
         matches!(entry, Entry::Measure(_)) || self.causes.is_known_number(entry, &self.right)
     }
 
-    fn found_equations(&self, entry: &Entry, solve: &super::file::Solve) -> Found {
+    fn found_equations(&self, solve: &super::file::Solve) -> Found {
         let names: Vec<String> =
             solve.solve.iter().map(|name| name.chars().filter(|c| !c.is_whitespace()).collect()).collect();
         if names.iter().any(|name| self.judge.given.number(name).is_none()) {
@@ -554,19 +548,13 @@ impl<'j> Bench<'j> {
                 if holds() {
                     return true;
                 }
-                let signs = if scene > 0 { table.numbers_read().min(MOST_SIGNS) } else { 0 };
-                let found = (1..1_u32 << signs).any(|turned| {
-                    table.turned.set(turned);
-                    holds()
-                });
-                table.turned.set(0);
-                found
+                let sides = Formula::sides(&solve.equations[equation]);
+                scene > 0 && sides.is_ok_and(|[left, right]| any_signs(table, &[&left, &right], holds))
             });
             if !is_right {
                 return Found::Wrong(says::equation_wrong(equation + 1));
             }
         }
-        let _ = entry;
         Found::Right
     }
 
@@ -605,8 +593,7 @@ impl<'j> Bench<'j> {
         // In the scene itself a size without a sense, or one that counts the other sense as positive, keeps its sign.
         let turned = self.is_turned(entry);
         let mut entry = entry.clone();
-        if let (Entry::Line(line), Some(meant)) = (&entry, self.right_meaning(&entry)) {
-            let _ = line;
+        if let Some(meant) = self.right_meaning(&entry) {
             entry = meant;
         }
         let mut unsure = false;
@@ -696,6 +683,28 @@ fn same(a: f64, b: f64) -> bool {
 /// A number of millimetres or degrees, to a tenth.
 fn rounded(x: f64) -> String {
     format!("{x:.1}")
+}
+
+/// Whether something holds with some of the numbers in formulas taken with the other sign.
+fn any_signs(table: &Table<'_>, formulas: &[&Formula], holds: impl Fn() -> bool) -> bool {
+    let mut names = table.signed(formulas);
+    names.truncate(MOST_SIGNS);
+    let found = (1..1_usize << names.len()).any(|turned| {
+        let chosen = names.iter().enumerate().filter(|(at, _)| turned >> at & 1 == 1);
+        table.turn(chosen.map(|(_, name)| name.clone()).collect());
+        holds()
+    });
+    table.turn(Vec::new());
+    found
+}
+
+/// The formulas of an entry, but for equations.
+fn formulas(entry: &Entry) -> Vec<&Formula> {
+    match entry {
+        Entry::LayOff(LayOff { size, .. }) => vec![size],
+        Entry::Compute(Compute { by, .. }) => by.iter().collect(),
+        _ => Vec::new(),
+    }
 }
 
 /// The value of a measured segment whose name is that of its ends written together.

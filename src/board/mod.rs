@@ -15,13 +15,17 @@
 
 mod cause;
 mod file;
+mod form;
 mod formula;
 mod given;
+mod hint;
 mod judge;
 mod others;
 mod reads;
 #[doc(hidden)] // for tests
 pub mod says;
+mod screen;
+mod snap;
 mod table;
 mod told;
 mod writes;
@@ -32,7 +36,13 @@ pub use file::{
 };
 pub use formula::Formula;
 pub use given::Given;
+pub use hint::{BoardHint, STAGES};
 pub use judge::{BoardError, Judge, JudgedDrawing, Verdict, Wrong};
+pub use screen::{
+    Board, BoardEntry, BoardName, BoardNumber, BoardRefused, BoardSheet, BoardThing, FreeNames, NameKind, Screen,
+    ThingKind,
+};
+pub use snap::{Ghost, GhostKind, Pressed, Snapped};
 pub use table::{DrawnLine, Made, Table};
 pub use told::{DrawingResult, EntryResult, VerdictName};
 pub use writes::own_drawing;

@@ -67,4 +67,10 @@ messages! { "board":
     all_right;
     first_wrong(number);
     should(what);
+
+    // Hints.
+    all_there;
+    next_line(sheet);
+    next_point(name, sheet);
+    next_number(name);
 }

@@ -10,7 +10,7 @@ use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, PerSheet, Sheet};
 use indexmap::IndexMap;
 use nalgebra::{DMatrix, DVector};
-use std::cell::Cell;
+use std::cell::RefCell;
 
 /// A line on a sheet: a place of it and its unit direction, in units of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,9 +52,8 @@ pub struct Table<'g> {
     numbers: IndexMap<String, f64>,
     /// Units of each sheet per millimetre of paper.
     scales: PerSheet<f64>,
-    /// Which of the numbers that a formula reads are taken with the other sign: the first by the lowest bit.
-    pub(super) turned: Cell<u32>,
-    read: Cell<u32>,
+    /// The numbers that are taken with the other sign.
+    turned: RefCell<Vec<String>>,
 }
 
 impl<'g> Table<'g> {
@@ -68,8 +67,7 @@ impl<'g> Table<'g> {
             lines: IndexMap::new(),
             numbers: IndexMap::new(),
             scales,
-            turned: Cell::new(0),
-            read: Cell::new(0),
+            turned: RefCell::default(),
         }
     }
 
@@ -116,7 +114,6 @@ impl<'g> Table<'g> {
     /// # Errors
     /// What is missing or cannot be done.
     pub fn carry_out(&self, entry: &Entry) -> Result<Made, Message> {
-        self.read.set(0);
         match entry {
             Entry::Join(join) => self.join(join),
             Entry::Line(line) => self.line(line),
@@ -317,17 +314,16 @@ impl<'g> Table<'g> {
 
     /// What remains of each equation of [`Solve`] with these numbers for its unknowns, over the sum of its terms' sizes.
     pub(super) fn residuals(&self, entry: &Solve, unknowns: &[f64]) -> Result<Vec<f64>, Message> {
-        self.read.set(0);
         let names = self.unknowns(entry);
         let remains = |text: &String| {
-            let [left, right] = Formula::sides(text)?;
-            let [a, b] = [self.with(&left, &names, unknowns)?, self.with(&right, &names, unknowns)?];
+            let [left, right] = &Formula::sides(text)?;
+            let [a, b] = [self.with(left, &names, unknowns)?, self.with(right, &names, unknowns)?];
             // The size of the terms: that of either side, and how far it moves with each unknown.
             let mut size = a.abs().max(b.abs());
             for at in 0..unknowns.len() {
                 let mut without = unknowns.to_vec();
                 without[at] = 0.0;
-                let [c, d] = [self.with(&left, &names, &without)?, self.with(&right, &names, &without)?];
+                let [c, d] = [self.with(left, &names, &without)?, self.with(right, &names, &without)?];
                 size = size.max((a - c).abs()).max((b - d).abs());
             }
             Ok(if size == 0.0 { 0.0 } else { (a - b) / size })
@@ -354,9 +350,9 @@ impl<'g> Table<'g> {
         let mut matrix = DMatrix::<f64>::zeros(count, count);
         let mut sides = DVector::<f64>::zeros(count);
         for (row, text) in entry.equations.iter().enumerate() {
-            let [left, right] = Formula::sides(text)?;
+            let [left, right] = &Formula::sides(text)?;
             let remains = |numbers: &[f64]| -> Result<f64, Message> {
-                Ok(self.with(&left, &names, numbers)? - self.with(&right, &names, numbers)?)
+                Ok(self.with(left, &names, numbers)? - self.with(right, &names, numbers)?)
             };
             let zero = vec![0.0; count];
             let at_zero = remains(&zero)?;
@@ -391,15 +387,37 @@ impl<'g> Table<'g> {
     /// A number by its name, with the other sign where a judge asks for that.
     fn number(&self, name: &str) -> Result<f64, Message> {
         let number = self.number_as_is(name).ok_or_else(|| says::no_number(name))?;
-        let at = self.read.get();
-        self.read.set(at + 1);
-        let turned = at < u32::BITS && self.turned.get() >> at & 1 == 1;
-        Ok(if turned { -number } else { number })
+        Ok(if self.turned.borrow().iter().any(|turned| turned == name) { -number } else { number })
     }
 
-    /// How many numbers the entry that was carried out last has read.
-    pub(super) fn numbers_read(&self) -> u32 {
-        self.read.get()
+    /// Takes some numbers with the other sign, or none.
+    pub(super) fn turn(&self, names: Vec<String>) {
+        self.turned.replace(names);
+    }
+
+    /// The numbers in formulas whose signs may be others in other scenes, as the sheet shows them: segments of plans, lengths up to
+    /// special points, numbers of the hand's own.
+    pub(super) fn signed(&self, formulas: &[&Formula]) -> Vec<String> {
+        let is_joint = |name: &String| self.given.mechanism().point(name).is_some();
+        let mut names: Vec<String> = Vec::new();
+        for name in formulas.iter().flat_map(|formula| formula.names()) {
+            let has_sign = match QuantityName::parse(name).map(|quantity| (quantity.head, quantity.arguments)) {
+                Some((Head::Between(Sheet::Scheme), ends)) => !ends.iter().all(is_joint),
+                Some((Head::Between(_) | Head::Velocity | Head::Acceleration, _)) => true,
+                Some(_) => false,
+                None => self.numbers.contains_key(name),
+            };
+            if has_sign && !names.iter().any(|known| known == name) {
+                names.push(name.to_owned());
+            }
+        }
+        names
+    }
+
+    /// The value of a number that a formula may use; `None` where it is not known yet.
+    #[must_use]
+    pub fn known(&self, name: &str) -> Option<f64> {
+        self.number_as_is(name).filter(|number| number.is_finite())
     }
 
     fn number_as_is(&self, name: &str) -> Option<f64> {

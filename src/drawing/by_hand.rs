@@ -79,41 +79,75 @@ pub enum HandLook {
     Ghost,
 }
 
-/// What part of a sheet a screen shows.
+/// A sheet of a drawing board: how large it is, and where the pole or the scheme's first point stands on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HandView {
-    /// The part of the screen.
-    pub pane: Pane,
-    /// The place in its middle, in millimetres of paper from the pole or the scheme's first point, x right, y up.
-    pub centre: [f64; 2],
-    /// Pixels for a millimetre of paper; positive.
-    pub scale: f64,
+pub struct HandPaper {
+    /// Units of the sheet per millimetre.
+    pub mu: f64,
+    /// Width and height in millimetres.
+    pub size: [f64; 2],
+    /// Where the pole or the scheme's first point stands, in millimetres from the upper left corner, y down.
+    pub origin: [f64; 2],
 }
 
-/// A sheet of a drawing board on a part of a screen: the scheme, or the pole of a plan, with what the hand has drawn. `mu` is the sheet's
-/// scale, in units per millimetre. Coordinates of the picture are pixels.
+/// White around a plan on its sheet, in parts of the larger side, and at least so many mm: a wrong plan is larger.
+const AROUND: [f64; 2] = [0.3, 25.0];
+
+impl HandPaper {
+    /// The sheet of a scheme or a plan at a scale, with room for what may come out wrong; `None` for a plan that is not there.
+    #[must_use]
+    pub fn of(solution: &Solution, sheet: Sheet, mu: f64) -> Option<HandPaper> {
+        let context = SheetContext::new(solution, Purpose::Exercise);
+        let extent = match sheet.order() {
+            None => scheme::on_paper::extent(&context),
+            Some(order) => super::plan::on_paper::extent(context.construction().plan(order)?, ConstructionShown::Whole),
+        };
+        let origin = origin(&context, sheet);
+        let extent = extent.with(origin);
+        let larger = extent.size().amax() / mu;
+        let white = if sheet == Sheet::Scheme { AROUND[1] } else { (AROUND[0] * larger).max(AROUND[1]) };
+        let rounded = |mm: f64| libm::ceil(mm / 5.0) * 5.0;
+        let [left, above] =
+            [rounded((origin.x - extent.low.x) / mu + white), rounded((extent.high.y - origin.y) / mu + white)];
+        let size = extent.size() / mu;
+        let [width, height] = [size.x, size.y].map(|side| rounded(side + 2.0 * white));
+        Some(HandPaper { mu, size: [width, height], origin: [left, above] })
+    }
+
+    /// A place of the sheet, in millimetres from the upper left corner, y down.
+    #[must_use]
+    pub fn at(&self, place: Vector) -> [f64; 2] {
+        [self.origin[0] + place.x / self.mu, self.origin[1] - place.y / self.mu]
+    }
+
+    /// What is at such a place, in units of the sheet.
+    #[must_use]
+    pub fn under(&self, [x, y]: [f64; 2]) -> Vector {
+        Vector::new((x - self.origin[0]) * self.mu, (self.origin[1] - y) * self.mu)
+    }
+}
+
+/// A sheet of a drawing board: the scheme, or the pole of a plan, with what the hand has drawn. Letters are so many millimetres high.
 #[must_use]
-pub fn hand_pane(solution: &Solution, hand: &HandSheet, mu: f64, view: &HandView) -> Drawing {
+pub fn hand_sheet(solution: &Solution, hand: &HandSheet, paper: &HandPaper, letters: f64) -> Drawing {
     let solution = &bare(solution);
     let mut context = SheetContext::new(solution, Purpose::Exercise);
-    context.surface = context.surface.on_pane(view.pane, &solution.scene.figure);
+    let [width, height] = paper.size;
+    context.surface = context.surface.on_pane(Pane { width, height, letters, words: false }, &solution.scene.figure);
     let dims = context.surface.dims;
-    let [width, height] = dims.page;
-    let frame = Rect::new(0.0, 0.0, width, height);
-    let centre = origin(&context, hand.sheet) + Vector::from(view.centre) * mu;
-    // Layout units per pixel.
-    let unit = CAPTION / view.pane.letters;
-    let shown = View::new(mu / (view.scale * unit), &Extent { low: centre, high: centre }, frame);
+    let [across, down] = dims.page;
+    let frame = Rect::new(0.0, 0.0, across, down);
+    // Units of the layout per millimetre.
+    let unit = CAPTION / letters;
+    let middle = origin(&context, hand.sheet) + paper.under([0.5 * width, 0.5 * height]);
+    let view = View::new(paper.mu / unit, &Extent { low: middle, high: middle }, frame);
     let mut drawing = titled(context.figure(), &dims, context.title());
-    {
-        let labels = &context.figure().labels;
-        let mut canvas = Canvas::new(&mut drawing, ["", hand.sheet.as_str()], frame, labels, dims);
-        canvas.header = 0.0;
-        draw(&mut canvas, &shown, &context, hand);
-        canvas.finish(None);
-    }
+    let mut canvas = Canvas::new(&mut drawing, ["", hand.sheet.as_str()], frame, &context.figure().labels, dims);
+    canvas.header = 0.0;
+    draw(&mut canvas, &view, &context, hand);
+    canvas.finish(None);
     drawing.panels.clear();
-    drawing.enlarged(dims.unit).after_step(0)
+    drawing.enlarged(1.0 / unit).after_step(0)
 }
 
 /// The plans of a drawing board on sheets of paper like those of an exercise, with markers by which a photograph of them is read.
