@@ -3,6 +3,7 @@
 
 use super::file::{Entry, HandDrawing, LayOff};
 use super::judge::{BoardError, Judge, JudgedDrawing, Verdict, things};
+use super::reads::reads;
 use super::table::{DrawnLine, Made, Table};
 use crate::drawing::{
     Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, SheetLabels, hand_sheet, hand_sheets,
@@ -151,6 +152,8 @@ pub struct BoardEntry {
     pub sheet: Option<Sheet>,
     /// Whether it has not been taken back.
     pub stands: bool,
+    /// The entries whose results it uses.
+    pub needs: Vec<usize>,
 }
 
 /// An entry that cannot be carried out.
@@ -398,9 +401,10 @@ impl Screen {
         let stands = drawing.standing();
         let mut table = Table::new(self.judge.given(), self.judge.scales(drawing));
         let language = self.words.language;
+        let mut makers = BTreeMap::new();
         let told = |(index, entry): (usize, &Entry)| {
             let mut words = language.says(&entry.told(&self.judge));
-            let mut sheet = None;
+            let (mut sheet, mut needs) = (None, Vec::new());
             let is_carried_out = stands[index] && refused.is_none_or(|refused| index < refused.entry);
             if let (true, Ok(made)) = (is_carried_out, table.carry_out_by_hand(entry)) {
                 match &made {
@@ -411,9 +415,13 @@ impl Screen {
                         words = format!("{words}: {}", values.join("; "));
                     }
                 }
+                needs.extend(reads(entry, &table).iter().filter_map(|thing| makers.get(thing).copied()));
+                needs.sort_unstable();
+                needs.dedup();
+                makers.extend(things(&made).into_iter().map(|thing| (thing, index)));
                 table.put(made);
             }
-            BoardEntry { words, sheet, stands: stands[index] }
+            BoardEntry { words, sheet, stands: stands[index], needs }
         };
         drawing.did.iter().enumerate().map(told).collect()
     }

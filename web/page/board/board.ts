@@ -38,7 +38,7 @@ export function board(app: App): void {
 function builds(app: App): { show(is: boolean): void } {
   const own = model(app);
   const told = judging(app, own);
-  const stages = SHEETS.map((sheet) => stage(app, own, sheet));
+  const stages = SHEETS.map((sheet) => stage(app, own, told, sheet));
   const back = (): void => (stages.find(({ sheet }) => sheet === own.alone.value) ?? stages[1])?.over.focus({ preventScroll: true });
   const below = strip(own, back);
   const sheets = element("div", { class: "sheets" }, ...stages.map(({ root }) => root));
