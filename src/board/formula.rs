@@ -90,6 +90,11 @@ impl Formula {
         self.value.value(number)
     }
 
+    /// Whether it has numbers that somebody has looked up or worked out: more than factors of 2, halves and exponents.
+    pub(super) fn has_constants(&self) -> bool {
+        self.value.has_constants()
+    }
+
     /// The names in it, in order.
     pub(super) fn names(&self) -> Vec<&str> {
         let mut names = Vec::new();
@@ -128,6 +133,16 @@ impl Node {
                 }
             }
         })
+    }
+
+    fn has_constants(&self) -> bool {
+        match self {
+            Node::Number(x) => ![0.0, 0.5, 1.0, 2.0].contains(x),
+            Node::Name(_) => false,
+            Node::Minus(node) | Node::Of(_, node) => node.has_constants(),
+            Node::Two(Sign::Power, two) => two[0].has_constants(),
+            Node::Two(_, two) => two.iter().any(Node::has_constants),
+        }
     }
 
     fn names<'n>(&'n self, names: &mut Vec<&'n str>) {

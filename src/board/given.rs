@@ -96,6 +96,11 @@ impl Given {
         self.there.iter().map(|key| (key.0, key.1.as_str(), self.places[key]))
     }
 
+    /// Whether a point of this name is there before anything is drawn.
+    pub(super) fn is_there(&self, name: &str) -> bool {
+        self.there.iter().any(|(_, own)| own == name)
+    }
+
     /// The largest distance of a point from a sheet's origin.
     #[must_use]
     pub fn size(&self, sheet: Sheet) -> f64 {

@@ -13,10 +13,13 @@
 //! point for which it is used. The idea is that of constructions compared as functions (iGeom: D. Isotani, L. Brandão, 2008, equal outputs
 //! for moved inputs), but by operation, so that the first wrong one is known and what only follows from it is not blamed.
 
+mod alone;
+mod bench;
 mod cause;
 mod file;
 mod form;
 mod formula;
+mod free_hand;
 mod given;
 mod hint;
 mod judge;

@@ -1,9 +1,9 @@
 //! Which things an entry reads.
 
+use super::bench::Thing;
 use super::file::{Compute, Cross, Direction, Entry, Join, LayOff, Like, Line, Measure, Solve};
 use super::formula::Formula;
 use super::given::{image, usual};
-use super::judge::{Thing, segment_of};
 use super::table::Table;
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
@@ -99,5 +99,14 @@ impl Reads<'_, '_> {
                 quantity.arguments.iter().for_each(|point| self.point(Some(order.sheet()), &image(point)));
             }
         }
+    }
+}
+
+/// The sheet and the ends of a length or a segment.
+pub(super) fn segment_of(name: &str) -> Option<(Sheet, [String; 2])> {
+    let name = QuantityName::parse(name).filter(QuantityName::is_plain)?;
+    match (name.head, name.arguments.as_slice()) {
+        (Head::Between(sheet), [from, to]) => Some((sheet, [from.clone(), to.clone()])),
+        _ => None,
     }
 }

@@ -73,4 +73,5 @@ messages! { "board":
     next_line(sheet);
     next_point(name, sheet);
     next_number(name);
+    no_sheet;
 }

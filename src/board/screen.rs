@@ -1,8 +1,9 @@
 //! A drawing as a board on a screen shows it: its sheets, what can be pointed at, the numbers beside them, names to choose from.
 //! Places are in millimetres of a sheet from its upper left corner, y down, as in its picture.
 
+use super::bench::things;
 use super::file::{Entry, HandDrawing, LayOff};
-use super::judge::{BoardError, Judge, JudgedDrawing, Verdict, things};
+use super::judge::{BoardError, Judge, JudgedDrawing, Verdict};
 use super::reads::reads;
 use super::table::{DrawnLine, Made, Table};
 use crate::drawing::{
@@ -200,7 +201,9 @@ impl Screen {
         self.words.language
     }
 
-    pub(super) fn words(&self) -> Wording {
+    /// The language and the notation of what it says.
+    #[must_use]
+    pub fn words(&self) -> Wording {
         self.words
     }
 
@@ -259,7 +262,9 @@ impl Screen {
         let mut makers = BTreeMap::new();
         for (index, stands) in drawing.standing().into_iter().enumerate() {
             if let (true, Ok(made)) = (stands, table.carry_out_by_hand(&drawing.did[index])) {
-                things(&made).into_iter().for_each(|thing| drop(makers.insert(thing, index)));
+                things(&made).into_iter().for_each(|thing| {
+                    makers.insert(thing, index);
+                });
                 table.put(made);
             }
         }

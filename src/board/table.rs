@@ -128,6 +128,19 @@ impl<'g> Table<'g> {
         }
     }
 
+    /// The same of an entry whose result is there already, as if it were not.
+    ///
+    /// # Errors
+    /// What is missing or cannot be done.
+    pub(super) fn carried_out_again(&self, entry: &Entry) -> Result<Made, Message> {
+        let mut before = self.clone();
+        let names = entry.made();
+        before.places.retain(|(_, name), _| !names.contains(&name.as_str()) || self.given.is_there(name));
+        before.lines.retain(|name, _| !names.contains(&name.as_str()));
+        before.numbers.retain(|name, _| !names.contains(&name.as_str()));
+        before.carry_out(entry)
+    }
+
     /// The same as the hand did it: where it was free, its places and numbers stand beside what was meant.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use super::measured::AnswerKey;
 use super::mistakes::{Candidate, Site};
 use super::model::{Model, in_order};
-use crate::construction::{Change, OperationKind, PlaceId, Solution};
+use crate::construction::{Change, LineId, OperationKind, PlaceId, Solution};
 use crate::geometry::Vector;
 use crate::sheet::{PerSheet, Sheet};
 
@@ -14,15 +14,35 @@ pub(crate) struct Replayed<'a> {
     candidates: Vec<(Candidate, Vec<Touched>)>,
 }
 
-/// What a mistake makes at the operation where it is made, or at the next one that uses its number.
+/// What a mistake makes at the operation where it is made, or at the next one that uses its result.
 #[derive(Clone, Debug)]
 pub(crate) enum Touched {
     /// A line: its sheet, a place of it, its direction.
     Line(Sheet, Vector, Vector),
-    /// A point, where it comes to lie, and of a vector where that begins.
-    Place(PlaceId, Vector, Option<Vector>),
-    /// A number with its name.
-    Number(String, f64),
+    /// A point.
+    Place {
+        /// Which.
+        place: PlaceId,
+        /// Where it comes to lie.
+        at: Vector,
+        /// Of a vector, where that begins.
+        start: Option<Vector>,
+        /// Where it lies without the mistake.
+        right: Vector,
+        /// Of a vector, where that begins without the mistake.
+        right_start: Vector,
+        /// Whether it is where lines cross.
+        is_crossing: bool,
+    },
+    /// A number.
+    Number {
+        /// Its name.
+        name: String,
+        /// Its value.
+        value: f64,
+        /// Whether it comes from a segment that was measured wrongly.
+        is_measured: bool,
+    },
 }
 
 impl<'a> Replayed<'a> {
@@ -48,6 +68,12 @@ impl<'a> Replayed<'a> {
         let name = self.solution.construction.plan_name(sheet, name);
         construction.named_places().any(|(on, own, other)| other == place && on == sheet && own == name)
     }
+
+    /// The sheet of a place that has a name.
+    pub fn sheet_of(&self, place: PlaceId) -> Option<Sheet> {
+        let mut named = self.model.construction.named_places();
+        named.find(|(_, _, other)| *other == place).map(|(sheet, ..)| sheet)
+    }
 }
 
 fn touched(model: &Model, candidate: &Candidate) -> Vec<Touched> {
@@ -57,6 +83,8 @@ fn touched(model: &Model, candidate: &Candidate) -> Vec<Touched> {
     }
     let values = model.replay(&changes);
     let operations = &model.construction.operations;
+    let is_measured =
+        changes.iter().any(|change| matches!(operations[change.operation].kind, OperationKind::Measure { .. }));
     let mut touched = Vec::new();
     let mut see = |index: usize| {
         let operation = &operations[index];
@@ -70,28 +98,40 @@ fn touched(model: &Model, candidate: &Candidate) -> Vec<Touched> {
             touched.push(Touched::Line(operation.sheet, at, along));
         }
         if let Some(place) = kind.place() {
-            let start = match kind {
-                OperationKind::LayOff { from, .. } => Some(values.place(*from)),
+            let starts = |kind: &OperationKind| match kind {
+                OperationKind::LayOff { from, .. } => Some(*from),
                 _ => None,
             };
-            touched.push(Touched::Place(place, values.place(place), start));
+            touched.push(Touched::Place {
+                place,
+                at: values.place(place),
+                start: starts(kind).map(|from| values.place(from)),
+                right: model.exact.place(place),
+                right_start: starts(&operation.kind).map_or(Vector::zeros(), |from| model.exact.place(from)),
+                is_crossing: matches!(operation.kind, OperationKind::Cross { .. }),
+            });
         }
         for number in kind.numbers() {
-            touched.push(Touched::Number(model.number_names[number.0].clone(), values.number(*number)));
+            let name = model.number_names[number.0].clone();
+            let is_measured = is_measured && matches!(kind, OperationKind::Solve { .. });
+            touched.push(Touched::Number { name, value: values.number(*number), is_measured });
         }
     };
     for change in &changes {
         see(change.operation);
-        // The vector that is laid off with a wrong size, the rate that is found from a wrong segment.
-        for number in operations[change.operation].kind.numbers() {
-            for (index, operation) in operations.iter().enumerate().skip(change.operation + 1) {
-                let mut reads = false;
-                operation.kind.each_number_read(|read| reads |= read == *number);
-                if reads {
-                    see(index);
-                }
+        let (made, line) = (operations[change.operation].kind.numbers(), operations[change.operation].kind.line());
+        for (index, operation) in operations.iter().enumerate().skip(change.operation + 1) {
+            // The vector that is laid off with a wrong size, the rate that is found from a wrong segment, the crossing of a wrong line.
+            let mut reads = false;
+            operation.kind.each_number_read(|read| reads |= made.contains(&read));
+            if reads || line.is_some_and(|line| crosses(&operation.kind, line)) {
+                see(index);
             }
         }
     }
     touched
+}
+
+fn crosses(kind: &OperationKind, line: LineId) -> bool {
+    matches!(kind, OperationKind::Cross { lines, .. } if lines.contains(&line))
 }

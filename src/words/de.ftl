@@ -1224,6 +1224,7 @@ board-undone = zurückgenommen
 board-all_right = Jeder Schritt ist richtig.
 board-first_wrong = Der erste falsche Schritt ist Nummer {$number}.
 board-should = Richtig wäre: {$what}
+board-no_sheet = die Szene hat keinen solchen Plan
 board-all_there = Es ist alles da.
 board-next_line = Als Nächstes kommt eine Linie: {$sheet}.
 board-next_point = Als Nächstes kommt {$name}: {$sheet}.

@@ -1257,6 +1257,7 @@ board-undone = taken back
 board-all_right = Every operation is right.
 board-first_wrong = The first wrong operation is number {$number}.
 board-should = It should be: {$what}
+board-no_sheet = the scene has no such plan
 board-all_there = Everything is there.
 board-next_line = Next comes a line on the {$sheet}.
 board-next_point = Next comes {$name} on the {$sheet}.

@@ -1222,6 +1222,7 @@ board-undone = retirado
 board-all_right = Todas las operaciones son correctas.
 board-first_wrong = La primera operación incorrecta es la número {$number}.
 board-should = Debería ser: {$what}
+board-no_sheet = la escena no tiene ese plano
 board-all_there = Está todo.
 board-next_line = Lo siguiente es una línea: {$sheet}.
 board-next_point = Lo siguiente es {$name}: {$sheet}.

@@ -1224,6 +1224,7 @@ board-undone = desfeito
 board-all_right = Todas as operações estão certas.
 board-first_wrong = A primeira operação errada é a número {$number}.
 board-should = Deveria ser: {$what}
+board-no_sheet = a cena não tem esse plano
 board-all_there = Está tudo.
 board-next_line = A seguir vem uma linha: {$sheet}.
 board-next_point = A seguir vem {$name}: {$sheet}.

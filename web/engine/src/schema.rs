@@ -1,4 +1,5 @@
 use crate::answers::{Opened, Picture, Running, ValueRow, View};
+use crate::board::{BoardJudged, BoardPicture, BoardPictureAsk};
 use crate::building::{Drafted, DraftedView};
 use crate::checks::{CheckOptions, Checked};
 use crate::exercises::{Exercise, ExerciseOptions};
@@ -9,6 +10,7 @@ use crate::kinds::Kind;
 use crate::modes::{Mode, Place};
 use crate::photo_answers::{PhotoRead, PlacedPoint, PointVerdict, Proposed, Tapped};
 use crate::refused::Told;
+use kinegon::board::{Board, BoardHint, Pressed, Snapped};
 use kinegon::editing::Edit;
 use kinegon::{Order, Scene, Sheet};
 use schemars::generate::SchemaSettings;
@@ -39,6 +41,7 @@ pub fn schema() -> Value {
         ValueRow
     );
     add!(Drafted, DraftedView);
+    add!(Board, Pressed, Snapped, BoardPicture, BoardPictureAsk, BoardJudged, BoardHint);
     add!(Form, Checked, CheckOptions, Exercise, ExerciseOptions);
     add!(PhotoRead, Tapped, PlacedPoint, PointVerdict, Proposed);
     let mut definitions = types.take_definitions(true);
