@@ -7,7 +7,8 @@ use super::judge::{BoardError, Judge, JudgedDrawing, Verdict};
 use super::reads::reads;
 use super::table::{DrawnLine, Made, Table};
 use crate::drawing::{
-    Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, SheetLabels, hand_sheet, hand_sheets,
+    Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, RichText, SheetLabels, hand_sheet,
+    hand_sheets,
 };
 use crate::format::html_text;
 use crate::geometry::Vector;
@@ -298,7 +299,7 @@ impl Screen {
                     sheet: *sheet,
                     kind: ThingKind::Line,
                     name: name.to_owned(),
-                    label: html_text(&crate::drawing::RichText::math(&crate::construction::display(name))),
+                    label: html_text(&RichText::math(&crate::construction::display(name))),
                     words: self.words.language.says(&super::says::drawn_line(name)),
                     path: path(&ends),
                     at: middle(&ends),
@@ -312,7 +313,7 @@ impl Screen {
                 BoardThing {
                     sheet: Sheet::Scheme,
                     kind: reference.kind,
-                    label: html_text(&crate::drawing::RichText::plain(&reference.name.replace(',', ""))),
+                    label: html_text(&RichText::plain(&reference.name.replace(',', ""))),
                     words: self.words.language.says(&reference.words),
                     name: reference.name,
                     path: path(&ends),
@@ -367,7 +368,7 @@ impl Screen {
     pub(super) fn point_label(&self, sheet: Sheet, name: &str, labels: &SheetLabels<'_>) -> String {
         match self.judge.given().construction().plan_on(sheet) {
             Some(plan) => html_text(&labels.plan_point(plan, name)),
-            None => html_text(&crate::drawing::RichText::math(&crate::construction::display(name))),
+            None => html_text(&RichText::math(&crate::construction::display(name))),
         }
     }
 
@@ -529,10 +530,14 @@ struct Numbers<'s> {
 impl Numbers<'_> {
     fn number(&self, name: &str, number: f64, entry: Option<usize>) -> BoardNumber {
         let given = self.screen.judge.given();
-        let asked = QuantityRequest::new(name, given.mechanism());
+        // A name of somebody's own is a stranger's text.
+        let label = match QuantityRequest::new(name, given.mechanism()) {
+            Ok(asked) => self.labels.quantity(&asked),
+            Err(_) => RichText::verbatim(name.to_owned()),
+        };
         BoardNumber {
             name: name.to_owned(),
-            label: asked.map_or_else(|_| name.to_owned(), |asked| html_text(&self.labels.quantity(&asked))),
+            label: html_text(&label),
             value: self.screen.words.write(number, NUMBERS),
             unit: self.screen.unit(name),
             entry,

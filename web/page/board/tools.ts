@@ -121,5 +121,8 @@ export function begun(tool: Tool, before: Entry = {}): Entry {
 
 /** The slot that is to be filled next; none where all is said but perhaps a name that the board gives by itself. */
 export function lacking(tool: Tool, entry: Entry): Slot | undefined {
-  return slotsOf(tool, entry).find((slot) => !slot.optional && slot.takes !== "line_name" && slot.takes !== "sheet" && !(tool === "measure" && slot.takes === "number_name") && slot.get(entry).trim() === "");
+  // A line by eye goes through no point that has a name.
+  const isFree = tool === "line" && entry["drawn"] !== undefined;
+  const isNeeded = ({ optional, takes }: Slot): boolean => !optional && takes !== "line_name" && takes !== "sheet" && !(tool === "measure" && takes === "number_name") && !(isFree && takes === "point");
+  return slotsOf(tool, entry).find((slot) => isNeeded(slot) && slot.get(entry).trim() === "");
 }
