@@ -1989,6 +1989,7 @@ page-board-no_drawing = „{$name}“ ist keine Zeichnung: Es fehlt `kinegon_dra
 page-board-opened = „{$name}“ liegt auf dem Zeichenbrett.
 page-board-put_back = Vorherige zurückholen
 page-board-replay = Abspielen
+page-board-end_replay = Zurück zum Zeichnen
 page-board-play = Abspielen
 page-board-pause = Pause
 page-board-speed = Tempo

@@ -2022,6 +2022,7 @@ page-board-no_drawing = “{$name}” is no drawing: it has no `kinegon_drawing`
 page-board-opened = “{$name}” is on the board.
 page-board-put_back = Put the one before back
 page-board-replay = Replay
+page-board-end_replay = Back to drawing
 page-board-play = Play
 page-board-pause = Pause
 page-board-speed = Speed

@@ -1987,6 +1987,7 @@ page-board-no_drawing = «{$name}» no es un dibujo: no tiene `kinegon_drawing`.
 page-board-opened = «{$name}» está en el tablero.
 page-board-put_back = Volver al anterior
 page-board-replay = Reproducir
+page-board-end_replay = Volver a dibujar
 page-board-play = Reproducir
 page-board-pause = Pausa
 page-board-speed = Velocidad de reproducción

@@ -1989,6 +1989,7 @@ page-board-no_drawing = “{$name}” não é um desenho: falta `kinegon_drawing
 page-board-opened = “{$name}” está na prancheta.
 page-board-put_back = Voltar ao anterior
 page-board-replay = Reproduzir
+page-board-end_replay = Voltar a desenhar
 page-board-play = Reproduzir
 page-board-pause = Pausa
 page-board-speed = Ritmo

@@ -56,6 +56,11 @@ function builds(app: App): { show(is: boolean): void } {
     // The sheets are there now, and have the keys.
     if (!root.hidden && !root.contains(document.activeElement)) back();
   });
+  own.shown.on((shown) => shown?.kind === "hint" && own.alone.value !== "" && own.alone.set(shown.sheet));
+  // Who looks on has no tools.
+  const looks = (): void => void root.classList.toggle("looking", own.until.value !== null || own.looked.value !== null);
+  own.until.on(looks);
+  own.looked.on(looks);
   const narrow = window.matchMedia(NARROW);
   const fits = (): void => own.alone.set(narrow.matches ? own.alone.value || "velocity" : "");
   narrow.addEventListener("change", fits);
