@@ -241,7 +241,8 @@ fn a_velocity_plan_by_keys_alone() {
     let go_to = |bench: &mut Bench, press: &mut dyn FnMut(&mut Bench, &str), words: &str| {
         for _ in 0..8 {
             press(bench, "n");
-            if bench.text("document.querySelector('#spoken').textContent").contains(words) {
+            let spoken = bench.text("document.querySelector('#spoken').textContent");
+            if spoken == words || spoken.ends_with(&format!(" {words}")) {
                 return press(bench, "Enter");
             }
         }
@@ -259,11 +260,11 @@ fn a_velocity_plan_by_keys_alone() {
     go_to(&mut bench, &mut press, "3");
     go_to(&mut bench, &mut press, "p");
     press(&mut bench, "p");
-    go_to(&mut bench, &mut press, "r1");
+    go_to(&mut bench, &mut press, "r2");
     bench.until("document.activeElement.dataset.name === 'c'");
     press(&mut bench, "Enter");
     // With the words that were typed.
-    assert!(gestures + 1 <= MOST_GESTURES + 8, "{gestures} gestures");
+    assert!(gestures < MOST_GESTURES, "{gestures} gestures");
     holds(&mut bench);
     bench.assert_quiet();
 }
