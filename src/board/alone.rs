@@ -60,6 +60,7 @@ impl Bench<'_> {
     fn found_line(&self, line: &Line, name: &str, is_typed: bool) -> Found {
         let mut missed = None;
         for one in &self.meant(line) {
+            let is_typed = is_typed || self.reads_typed(one);
             match self.holds(one, name, is_typed) {
                 Held::Nothing => return Found::Own,
                 Held::All => match self.line_off_hand(one, line) {
@@ -202,6 +203,10 @@ impl Bench<'_> {
             return Some(name.to_owned());
         }
         let Entry::Measure(measure) = entry else { return None };
+        // Signs behind letters may be the hand's own.
+        if !name.chars().all(char::is_alphabetic) {
+            return None;
+        }
         let sheet = self.measured_on(measure)?;
         let names: Vec<&str> = given.places(sheet).map(|(name, _)| name).collect();
         let split = names.iter().find_map(|first| {

@@ -7,7 +7,9 @@ use super::given::{Given, usual};
 use super::judge::{BoardError, Judge, JudgedDrawing, Verdict, Wrong, standing};
 use super::reads::reads;
 use super::says;
+use super::slips::Slip;
 use super::table::{DrawnLine, Made, Table};
+use crate::check::Told;
 use crate::geometry::unit;
 use crate::message::Message;
 use crate::sheet::Sheet;
@@ -27,6 +29,8 @@ pub(super) struct Bench<'j> {
     unsure: BTreeMap<Thing, usize>,
     /// Things of the hand's own in which there are numbers or angles that somebody typed.
     typed: BTreeSet<Thing>,
+    /// Things of the hand's own in which there are any numbers at all.
+    numbered: BTreeSet<Thing>,
     /// Things that hang on something wrong.
     tainted: BTreeSet<Thing>,
     /// The entries that have been judged.
@@ -63,6 +67,7 @@ impl<'j> Bench<'j> {
             targets,
             unsure: BTreeMap::new(),
             typed: BTreeSet::new(),
+            numbered: BTreeSet::new(),
             tainted: BTreeSet::new(),
             done: Vec::new(),
             causes: Causes::new(judge),
@@ -74,9 +79,17 @@ impl<'j> Bench<'j> {
         let used = used(drawing, &self.own)?;
         for (index, entry) in standing(drawing) {
             let made = self.own.carry_out_by_hand(entry).map_err(|message| BoardError { entry: index, message })?;
-            let reads = reads(entry, &self.own);
+            // Of a free line what it means, where that is right.
+            let meant = self.right_meaning(entry);
+            let reads = reads(meant.as_ref().unwrap_or(entry), &self.own);
             let is_typed = is_typed(entry) || reads.iter().any(|read| self.typed.contains(read));
-            let found = self.found(entry, &made, is_typed);
+            let mut found = self.found(entry, &made, is_typed);
+            // A factor of 2 may be a rate that somebody typed.
+            let may_be = has_numbers(entry) || reads.iter().any(|read| self.numbered.contains(read));
+            let is_typed = is_typed || matches!(found, Found::Wrong(_)) && may_be;
+            if matches!(found, Found::Wrong(_)) && is_typed {
+                found = self.found(entry, &made, true);
+            }
             let things = things(&made);
             let follows = reads.iter().any(|read| self.tainted.contains(read));
             verdicts[index] = match found {
@@ -95,41 +108,80 @@ impl<'j> Bench<'j> {
         Ok(JudgedDrawing { verdicts })
     }
 
+    /// Whether it uses something of the hand's own in which there are typed numbers.
+    pub fn reads_typed(&self, entry: &Entry) -> bool {
+        reads(entry, &self.own).iter().any(|read| self.typed.contains(read))
+    }
+
     /// The verdict on a wrong entry: it is wrong itself, or follows from something of the hand's own that nothing else has judged.
     fn blamed(&self, entry: &Entry, made: &Made, is_typed: bool, what: Message, verdicts: &mut [Verdict]) -> Verdict {
         let mistake = self.cause(entry, made, is_typed);
         if mistake.is_none()
-            && let Some(earlier) = self.culprit(entry, made)
+            && let Some((earlier, right)) = self.culprit(entry, made)
         {
             let name = things(made).into_iter().next().map_or_else(String::new, |(_, name)| name);
-            verdicts[earlier] = Verdict::Wrong(Wrong { what: says::leads_wrong(name), mistake: None });
+            let own = self.done.iter().find(|(index, _)| *index == earlier);
+            let mistake = own.zip(right).and_then(|((_, own), right)| self.slip(own, right, is_typed));
+            verdicts[earlier] = Verdict::Wrong(Wrong { what: says::leads_wrong(name), mistake });
             return Verdict::Follows;
         }
         Verdict::Wrong(Wrong { what, mistake })
     }
 
-    /// The mistake of the catalogue that does the same; of a free line whatever it may have meant.
-    fn cause(&self, entry: &Entry, made: &Made, is_typed: bool) -> Option<crate::check::Told> {
+    /// The mistake of the catalogue that does the same, or a slip that explains it; of a free line whatever it may have meant.
+    fn cause(&self, entry: &Entry, made: &Made, is_typed: bool) -> Option<Told> {
+        if let Some(right) = self.meant_to_be(entry, made)
+            && let Some(slip) = self.slip(entry, right, is_typed)
+        {
+            return Some(slip);
+        }
         let of = |entry: &Entry| self.causes.of(entry, made, &self.right, is_typed).map(|cause| cause.told);
         match entry {
             Entry::Line(line) => self.meant(line).iter().find_map(of),
+            Entry::Measure(Measure { read: Some(read), .. }) => of(entry).or_else(|| self.misreading(entry, *read)),
             _ => of(entry),
         }
     }
 
+    fn misreading(&self, entry: &Entry, read: f64) -> Option<Told> {
+        let Entry::Measure(measure) = entry else { return None };
+        Slip::misread(&self.own, measure, self.measured_on(measure)?, read)
+    }
+
+    /// The slip that explains how an entry makes something else than it should.
+    fn slip(&self, entry: &Entry, right: Made, is_typed: bool) -> Option<Told> {
+        let table = &self.right[0];
+        let alone = table.carried_out_again(entry).ok()?;
+        let tolerance = if is_typed || has_numbers(entry) { 0.012 } else { 1e-6 };
+        Slip { table, entry, alone: &alone, right, tolerance }.told()
+    }
+
+    /// What an entry should make, where its name says that.
+    fn meant_to_be(&self, entry: &Entry, made: &Made) -> Option<Made> {
+        let given = self.judge.given();
+        match made {
+            Made::Place(sheet, name, _) => Some(Made::Place(*sheet, name.clone(), given.place(*sheet, name)?)),
+            Made::Numbers(all) => {
+                let (name, _) = all.first()?;
+                let right = given.number(name).or_else(|| written_together(given, entry, name))?;
+                Some(Made::Numbers(vec![(name.clone(), right)]))
+            }
+            Made::Line(..) => None,
+        }
+    }
+
     /// Of the hand's own things on which a wrong entry hangs, the first with which it would be right, were that something that has a
-    /// name: a vector of the plan, a known number. Where there is only one, it is that one.
-    fn culprit(&self, entry: &Entry, made: &Made) -> Option<usize> {
+    /// name, as a vector of the plan or a known number, and what that is. Where there is only one, it is that one.
+    fn culprit(&self, entry: &Entry, made: &Made) -> Option<(usize, Option<Made>)> {
         let hangs_on = self.chain(entry);
         let suspects: Vec<usize> = hangs_on.iter().copied().filter(|index| self.is_unsure(*index)).collect();
-        let would_be_right = |suspect: &usize| {
+        let mended = |suspect: usize| {
             let table = &self.right[0];
-            let replaced = self.done.iter().find(|(index, _)| index == suspect)?.1;
-            let instead = self.causes.instead_of(replaced, table);
+            let replaced = self.done.iter().find(|(index, _)| *index == suspect)?.1;
             let is_right = |instead: &Made| {
                 let mut other = table.clone();
                 other.put(instead.clone());
-                for index in hangs_on.iter().filter(|index| *index > suspect) {
+                for index in hangs_on.iter().filter(|index| **index > suspect) {
                     let (_, entry) = self.done.iter().find(|(other, _)| other == index)?;
                     let again = other.carried_out_again(entry).ok()?;
                     other.put(again);
@@ -137,11 +189,12 @@ impl<'j> Bench<'j> {
                 let again = other.carried_out_again(entry).ok()?;
                 self.is_meant(&again, made).then_some(())
             };
-            instead.iter().find_map(is_right)
+            self.causes.instead_of(replaced, table).into_iter().find(|instead| is_right(instead).is_some())
         };
-        suspects.iter().copied().find(|suspect| would_be_right(suspect).is_some()).or_else(|| {
+        let found = suspects.iter().find_map(|suspect| mended(*suspect).map(|right| (*suspect, Some(right))));
+        found.or_else(|| {
             let is_number = !matches!(entry, Entry::Line(_) | Entry::Join(_)) && self.has_right_direction(entry, made);
-            suspects.first().copied().filter(|_| is_number)
+            suspects.first().filter(|_| is_number).map(|first| (*first, None))
         })
     }
 
@@ -201,6 +254,7 @@ impl<'j> Bench<'j> {
         let turned = self.is_turned(entry);
         let meant = self.right_meaning(entry);
         let entry = meant.as_ref().unwrap_or(entry);
+        let is_typed = is_typed || self.reads_typed(entry);
         let is_sure = self.is_sure(entry, made);
         let mut is_own = false;
         for table in &mut self.right {
@@ -234,6 +288,9 @@ impl<'j> Bench<'j> {
             let things = things(made);
             if !is_sure {
                 self.unsure.extend(things.iter().map(|thing| (thing.clone(), index)));
+            }
+            if has_numbers(entry) || reads(entry, &self.own).iter().any(|read| self.numbered.contains(read)) {
+                self.numbered.extend(things.iter().cloned());
             }
             if is_typed {
                 self.typed.extend(things);
@@ -282,6 +339,19 @@ fn is_typed(entry: &Entry) -> bool {
         Entry::Solve(Solve { equations, .. }) => {
             let mut sides = equations.iter().filter_map(|text| Formula::sides(text).ok()).flatten();
             sides.any(|side| side.has_constants())
+        }
+        _ => false,
+    }
+}
+
+/// Whether there are any numbers in an entry, but for exponents.
+fn has_numbers(entry: &Entry) -> bool {
+    match entry {
+        Entry::LayOff(LayOff { size, .. }) => size.has_numbers(),
+        Entry::Compute(Compute { by, .. }) => by.as_ref().is_some_and(Formula::has_numbers),
+        Entry::Solve(Solve { equations, .. }) => {
+            let mut sides = equations.iter().filter_map(|text| Formula::sides(text).ok()).flatten();
+            sides.any(|side| side.has_numbers())
         }
         _ => false,
     }

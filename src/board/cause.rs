@@ -198,12 +198,16 @@ impl Seen<'_, '_> {
             // A line that goes through where a mistake puts a point, and not where the point is.
             (Made::Line(_, line), Touched::Place { place, at, right, is_crossing: true, .. }) => {
                 let small = 1e-6 * given.size(line.sheet);
-                let leads_there = replayed.sheet_of(*place) == Some(line.sheet)
+                // Special points are crossed by lines of the scheme; a ray has a direction to go by.
+                let leads_there = line.sheet == Sheet::Scheme
+                    && replayed.sheet_of(*place) == Some(line.sheet)
                     && line.distance(*at).abs() <= small
                     && line.distance(*right).abs() > 10.0 * small;
                 return if leads_there { LESS } else { 0.0 };
             }
-            (Made::Place(sheet, name, at), Touched::Place { place, at: other, start, .. }) => {
+            (Made::Place(sheet, name, at), Touched::Place { place, at: other, start, is_edited, .. })
+                if *is_edited || !matches!(self.entry, Entry::Cross(_)) =>
+            {
                 let near = |a: Vector, b: Vector, size: f64| (a - b).norm() <= self.tolerance * size;
                 let has_meaning = given.place(*sheet, name).is_some();
                 let run = self.start.map_or(given.size(*sheet), |start| (at - start).norm());
