@@ -4,9 +4,10 @@ import { element } from "../dom/element.ts";
 import { icon } from "../dom/icon.ts";
 import { radios } from "../dom/radios.ts";
 import { button, worded } from "../dom/worded.ts";
+import { SHEETS } from "../engine/types.ts";
 import { askedFor, textOf } from "../files/open.ts";
 import { name } from "../layout/say.ts";
-import { called, type Sheet } from "../sheets.ts";
+import { called, PLANS, type Sheet } from "../sheets.ts";
 import { language } from "../words.ts";
 import { drawingOf } from "./file.ts";
 import { hands } from "./hands.ts";
@@ -22,7 +23,7 @@ import { say, type Saying } from "./words.ts";
 
 /** Narrower than this one sheet is shown at a time. */
 const NARROW = "(max-width: 959.9px)";
-const SHEETS: Sheet[] = ["scheme", "velocity", "acceleration"];
+const ALL = SHEETS.map(({ key }) => key);
 
 /** Shows the board as `app.drawing` says; nothing of it is there before. */
 export function board(app: App): void {
@@ -38,7 +39,7 @@ export function board(app: App): void {
 function builds(app: App): { show(is: boolean): void } {
   const own = model(app);
   const told = judging(app, own);
-  const stages = SHEETS.map((sheet) => stage(app, own, told, sheet));
+  const stages = ALL.map((sheet) => stage(app, own, told, sheet));
   const back = (): void => (stages.find(({ sheet }) => sheet === own.alone.value) ?? stages[1])?.over.focus({ preventScroll: true });
   const below = strip(own, back);
   const sheets = element("div", { class: "sheets" }, ...stages.map(({ root }) => root));
@@ -62,7 +63,7 @@ function builds(app: App): { show(is: boolean): void } {
   own.until.on(looks);
   own.looked.on(looks);
   const narrow = window.matchMedia(NARROW);
-  const fits = (): void => own.alone.set(narrow.matches ? own.alone.value || "velocity" : "");
+  const fits = (): void => own.alone.set(narrow.matches ? own.alone.value || PLANS[0]! : "");
   narrow.addEventListener("change", fits);
 
   root.addEventListener("keydown", (event) => {
@@ -151,7 +152,7 @@ function head(app: App, own: Model, told: ReturnType<typeof judging>, drawer: HT
 
 /** Which sheets are seen. */
 function sheetSwitch(own: Model): HTMLElement {
-  const values: (Sheet | "")[] = ["", ...SHEETS];
+  const values: (Sheet | "")[] = ["", ...ALL];
   const buttons = values.map((sheet) => worded(element("button", { type: "button", role: "radio", "data-value": sheet, onclick: () => own.alone.set(sheet) }), () => (sheet === "" ? say("all_sheets") : called(sheet, "short"))));
   const root = worded(element("div", { class: "switch which", role: "radiogroup" }, ...buttons), () => say("sheets"), "aria-label");
   radios(root);
