@@ -1985,6 +1985,7 @@ page-board-into_form = Ins Formular
 page-board-handed_in = Die Werte stehen im Formular.
 page-board-save = Zeichnung speichern
 page-board-open = Zeichnung öffnen…
+page-board-sheets_pdf = Blätter auf Papier (PDF)
 page-board-no_drawing = „{$name}“ ist keine Zeichnung: Es fehlt `kinegon_drawing`.
 page-board-opened = „{$name}“ liegt auf dem Zeichenbrett.
 page-board-put_back = Vorherige zurückholen

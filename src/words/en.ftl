@@ -2018,6 +2018,7 @@ page-board-into_form = Into the form
 page-board-handed_in = The values are in the form.
 page-board-save = Save the drawing
 page-board-open = Open a drawing…
+page-board-sheets_pdf = Sheets of paper (PDF)
 page-board-no_drawing = “{$name}” is no drawing: it has no `kinegon_drawing`.
 page-board-opened = “{$name}” is on the board.
 page-board-put_back = Put the one before back

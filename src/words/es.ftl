@@ -1983,6 +1983,7 @@ page-board-into_form = Al formulario
 page-board-handed_in = Los valores están en el formulario.
 page-board-save = Guardar el dibujo
 page-board-open = Abrir un dibujo…
+page-board-sheets_pdf = Láminas en papel (PDF)
 page-board-no_drawing = «{$name}» no es un dibujo: no tiene `kinegon_drawing`.
 page-board-opened = «{$name}» está en el tablero.
 page-board-put_back = Volver al anterior

@@ -1985,6 +1985,7 @@ page-board-into_form = Para o formulário
 page-board-handed_in = Os valores estão no formulário.
 page-board-save = Salvar o desenho
 page-board-open = Abrir um desenho…
+page-board-sheets_pdf = Folhas em papel (PDF)
 page-board-no_drawing = “{$name}” não é um desenho: falta `kinegon_drawing`.
 page-board-opened = “{$name}” está na prancheta.
 page-board-put_back = Voltar ao anterior

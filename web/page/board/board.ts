@@ -181,6 +181,7 @@ function files(app: App, own: Model, told: ReturnType<typeof judging>): HTMLElem
     if (drawingOf(text) === null) own.says.set({ text: say("no_drawing", { name: file!.name }), isBad: true });
     else await own.open(text);
   }));
+  const sheets = act("sheets_pdf", () => void told.sheets());
   const into = act("into_form", () => void told.handIn());
   const again = act("replay", () => own.until.set(own.until.value === null ? 0 : null));
   const right = act("own_construction", () => {
@@ -193,7 +194,7 @@ function files(app: App, own: Model, told: ReturnType<typeof judging>): HTMLElem
   own.looked.on((text) => (right.textContent = say(text === null ? "own_construction" : "own_drawing")));
   const before = act("put_back", () => void own.open(own.replaced.value ?? ""));
   own.replaced.on((text) => (before.hidden = text === null));
-  menu.append(save, open, before, into, again, right);
+  menu.append(save, open, before, sheets, into, again, right);
   const show = (): void => {
     right.hidden = app.student.value && own.use().mode !== "demonstration";
     again.hidden = own.use().mode === "exam";

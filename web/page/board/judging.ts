@@ -16,6 +16,8 @@ export interface Judging {
   hint(): Promise<void>;
   /** The drawing as a file. */
   save(): void;
+  /** Its plans on sheets of paper, as PDF. */
+  sheets(): Promise<void>;
   /** Its values into the form of the check, and in an exam the file. */
   handIn(): Promise<void>;
 }
@@ -84,6 +86,14 @@ export function judging(app: App, model: Model): Judging {
       }
     },
     save,
+    async sheets() {
+      try {
+        const bytes = await app.engine.board_sheets(app.solved.value.good, seen(), model.drawing().exercise ?? "");
+        saveFile(`${name()}.pdf`, bytes, "application/pdf");
+      } catch (refused) {
+        tell(said(refused), true);
+      }
+    },
     async handIn() {
       try {
         const form = await app.engine.board_form(app.solved.value.good, seen());
