@@ -4,13 +4,14 @@ use super::constructed::Construction;
 use super::cut::Special;
 use super::markup::{Formula, Known, marked, measured, no_construction, rate_symbol, subscript};
 use super::name::{coincident_name, image_name, point_on};
+use super::number::Rate;
 use super::solution::Solution;
 use super::step::{Action, Arrow, NumberedStep, Plan, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
 use crate::geometry::{Place, degrees_of};
-use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, DrivenSlide, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
 use crate::sheet::Order;
-use crate::words::{Language, NumberStyle, Wording};
+use crate::words::{Language, NumberStyle, SlidePart, Wording};
 
 /// Writes steps in a language and a notation.
 #[derive(Clone, Copy, Debug)]
@@ -74,7 +75,7 @@ impl<'a> Teller<'a> {
                 sentence(language, &marked(from), &marked(to))
             }
             Action::Solve { unknowns, .. } => {
-                let names: Vec<String> = unknowns.iter().map(|u| rate_symbol(&u.0)).collect();
+                let names: Vec<String> = unknowns.iter().map(|u| self.rate(&u.0)).collect();
                 language.solve(&names.join(", "))
             }
             Action::NoConstruction(far) => no_construction(self.words, far),
@@ -122,7 +123,28 @@ impl<'a> Teller<'a> {
 
     /// The name of a slider in the language.
     pub(super) fn slider_name(&self, slider: SliderId) -> String {
-        self.mechanism.slider_in_words(slider, self.words.language)
+        self.mechanism.slider_in_words(slider, self.words)
+    }
+
+    /// The symbol of a part of the motion along a guide.
+    pub(super) fn slide(&self, order: Order, part: SlidePart, slider: SliderId) -> String {
+        let Wording { notation, .. } = self.words;
+        let ground = &self.mechanism.body(GROUND).name;
+        let shown = |name: &str| if name == ground { self.words.ground().to_owned() } else { name.to_owned() };
+        notation.slide(order, part, &self.mechanism.slider_shown(slider, notation, &shown)).markup()
+    }
+
+    /// The symbol of a rate by its quantity name.
+    pub(crate) fn rate(&self, name: &str) -> String {
+        let slides = Order::ALL.into_iter().flat_map(|order| self.mechanism.slider_ids().map(move |id| (order, id)));
+        let mut slides = slides.filter(|&(order, id)| Rate::Slide(order, id).name(self.mechanism) == name);
+        slides.next().map_or_else(|| rate_symbol(name), |(order, id)| self.slide(order, SlidePart::Relative, id))
+    }
+
+    /// The name of a point in sentences: `F_0` for `F_ground`.
+    fn point_in_words(&self, name: &str) -> String {
+        let at = name.strip_suffix(&self.mechanism.body(GROUND).name).filter(|at| at.ends_with('_'));
+        at.map_or_else(|| name.to_owned(), |at| format!("{at}{}", self.words.ground()))
     }
 
     fn pole(&self, order: Order, images: &[String]) -> String {
@@ -157,9 +179,9 @@ impl<'a> Teller<'a> {
             VectorOf::Sliding(slider, under) => {
                 let name = self.slider_name(*slider);
                 let at = self.mechanism.point_name(self.mechanism.slider(*slider).at);
-                let (language, notation) = (self.words.language, self.words.notation);
-                let caption = language.lay_off_sliding_velocity(&name, &marked(under), &marked(at));
-                (format!("v_{}({name})", notation.relative).into(), caption)
+                let under = marked(&self.point_in_words(under));
+                let caption = self.words.language.lay_off_sliding_velocity(&name, &under, &marked(at));
+                (self.slide(Order::Velocity, SlidePart::Relative, *slider).into(), caption)
             }
             VectorOf::Passed(slide, part) => self.passed_part(slide, *part, arrow),
         }
@@ -239,11 +261,14 @@ impl<'a> Teller<'a> {
         let mechanism = self.mechanism;
         let name = self.slider_name(slide.slider);
         let on = &mechanism.body(mechanism.slider(slide.slider).on).name;
-        let (language, notation) = (self.words.language, self.words.notation);
-        let (r, c) = (notation.relative, notation.coriolis);
+        let language = self.words.language;
+        let symbol = |order, part| self.slide(order, part, slide.slider);
         let equation = match part {
-            VectorPart::Coriolis => format!("a_{c}({name}) = 2 ω_{on} v_{r}({name})"),
-            _ => format!("{}_{r}({name})", arrow.order.vector()),
+            VectorPart::Coriolis => {
+                let coriolis = symbol(Order::Acceleration, SlidePart::Coriolis);
+                format!("{coriolis} = 2 ω_{on} {}", symbol(Order::Velocity, SlidePart::Relative))
+            }
+            _ => symbol(arrow.order, SlidePart::Relative),
         };
         let [from, to] = arrow.ends().map(marked);
         let caption = match (part, arrow.is_backwards()) {

@@ -187,11 +187,11 @@ impl<'a> SheetContext<'a> {
     /// The markup of a point's name in the figure's notation.
     fn standard(&self, name: &str, plan: Option<&Plan>) -> String {
         if plan.is_none() && name == self.mechanism().body(GROUND).name {
-            return self.words.language.ground().to_owned();
+            return self.words.ground().to_owned();
         }
         let written = self.facts.markup(name);
         match plan {
-            Some(plan) => plan.shown(name, written, self.words.notation),
+            Some(plan) => plan.shown(name, written, &self.words.notation),
             None => written,
         }
     }

@@ -192,7 +192,7 @@ impl StepList<'_> {
         let sheet = step.sheet;
         let equation = shown_text(&self.teller.formula(step).markup(), plan, self.words);
         let shown = |name: &str| match plan {
-            Some(plan) => plain_text(&plan.shown(name, name.to_owned(), self.words.notation)),
+            Some(plan) => plain_text(&plan.shown(name, name.to_owned(), &self.words.notation)),
             None => name.to_owned(),
         };
         let with_vector = |first: String| {

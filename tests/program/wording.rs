@@ -366,6 +366,55 @@ fn notations_write_what_their_schools_write() {
     }
 }
 
+/// Motions along guides by the points of both links, Coriolis by any index, the frame as a number: in equations, captions and figures;
+/// quantities keep their names.
+#[test]
+fn motions_along_guides_and_the_frame_are_written_as_asked() {
+    let whitworth = files::read("templates/whitworth.json");
+    let said = |changes: &[(&str, &str)]| steps(&solved(&with(&whitworth, changes)).expect("a good scene"));
+    let by_points = said(&[("sliding", "points"), ("coriolis", "C"), ("frame", "0")]);
+    for words in [
+        "v_B_3 = v_B − v_B_2B_3",
+        "a^C_B_2B_3 = 2 ω_3 v_B_2B_3",
+        "a_B_3 = a_B − a^C_B_2B_3 − a^r_B_2B_3",
+        "for ω_4, v_F_5F_0.",
+        "v_F_5F_0 = μ_v (p f)",
+        "the guide of 5/0;",
+        "sliding velocity of 5/0 along its guide, from F_0 to F",
+        "v_r(5/ground) = 363.5287",
+    ] {
+        assert!(by_points.contains(words), "no {words} in\n{by_points}");
+    }
+    assert!(!by_points.contains("v_r(2/3) = μ") && !by_points.contains("a_c("), "{by_points}");
+    let by_slider = said(&[("coriolis", "cor"), ("language", "es")]);
+    for words in ["a_cor(2/3) = 2 ω_3 v_r(2/3)", "para ω_4, v_r(5/bastidor).", "desde F_bastidor hasta F"] {
+        assert!(by_slider.contains(words), "no {words} in\n{by_slider}");
+    }
+    assert!(said(&[("sliding", "points"), ("notation", "russian")]).contains("a^k_B_2B_3 = 2 ω_3"));
+
+    let figure = |changes: &[(&str, &str)]| -> Vec<String> {
+        let drawing = solved(&with(&whitworth, changes)).expect("a good scene").figure();
+        let texts = drawing.marks.iter().filter_map(|mark| match &mark.shape {
+            Shape::Text(text) if mark.id.as_deref() == Some("scheme-label-ground") => Some(text.text.content()),
+            _ => None,
+        });
+        texts.collect()
+    };
+    assert_eq!(figure(&[("frame", "0")]), ["0"]);
+    assert!(figure(&[]).is_empty());
+}
+
+#[test]
+fn an_option_calls_the_frame_by_no_name_of_a_link() {
+    let run = |frame: &str| {
+        program::with_scene(&["steps", "-", "--frame", frame], files::read("templates/whitworth.json").as_bytes())
+    };
+    assert!(run("0").status.success());
+    let output = run("1");
+    assert!(!output.status.success());
+    assert!(stderr(&output).contains("--frame: link 1 has this name"), "{}", stderr(&output));
+}
+
 #[test]
 fn a_pole_shares_its_letter_with_nothing_that_moves() {
     // The fixed point O has its image at the pole; the moving point O of the other scene has not.
