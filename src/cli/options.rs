@@ -2,7 +2,7 @@
 
 use crate::construction::Tolerance;
 use crate::scene::{
-    CoriolisName, DecimalMark, Figure, FrameName, LanguageName, NotationName, Page, ScalesFor, SlidingName,
+    CoriolisName, DecimalMark, Figure, FrameName, LanguageName, NotationName, Page, ScalesFor, SlidingName, TurnedName,
 };
 use crate::sheet::{PerSheet, Scales, Sheet};
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
@@ -24,6 +24,9 @@ pub(super) struct Words {
     /// Number that the frame is called by, in place of a word.
     #[arg(long, value_parser = one_of(&FrameName::ALL, FrameName::as_str))]
     frame: Option<FrameName>,
+    /// Sense in which figures and steps show the velocity plan turned by 90°; sheets to be drawn on, keys and checks have it as it is.
+    #[arg(long, value_parser = one_of(&TurnedName::ALL, TurnedName::as_str))]
+    turned: Option<TurnedName>,
     /// Language of headings and captions.
     #[arg(long, value_parser = one_of(&LanguageName::ALL, LanguageName::as_str))]
     language: Option<LanguageName>,
@@ -39,6 +42,7 @@ impl Words {
         figure.sliding = self.sliding.unwrap_or(figure.sliding);
         figure.coriolis = self.coriolis.or(figure.coriolis);
         figure.frame = self.frame.or(figure.frame);
+        figure.turned = self.turned.or(figure.turned);
         figure.language = self.language.unwrap_or(figure.language);
         figure.decimal = self.decimal.unwrap_or(figure.decimal);
     }

@@ -10,7 +10,8 @@ use super::step::{Action, Arrow, NumberedStep, Plan, PointRole, Ray, RayOf, Rela
 use crate::geometry::{Place, degrees_of};
 use crate::mechanism::{BodyId, DrivenSlide, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
-use crate::sheet::Order;
+use crate::scene::TurnedName;
+use crate::sheet::{Order, Sheet};
 use crate::words::{Language, NumberStyle, SlidePart, Wording};
 
 /// Writes steps in a language and a notation.
@@ -43,6 +44,33 @@ impl<'a> Teller<'a> {
     pub fn new(solution: &'a Solution, words: &'a Wording) -> Self {
         let Solution { mechanism, pose, construction, .. } = solution;
         Self { mechanism, pose, construction, words }
+    }
+
+    /// A teller of the steps as figures show them, which may have the velocity plan turned.
+    #[must_use]
+    pub fn shown(solution: &'a Solution, words: &'a Wording) -> Self {
+        Self::of(solution, solution.shown_construction(), words)
+    }
+
+    /// A teller of the steps of a construction of the solved scene.
+    pub(crate) fn of(solution: &'a Solution, construction: &'a Construction, words: &'a Wording) -> Self {
+        Self { construction, ..Self::new(solution, words) }
+    }
+
+    /// The heading of a sheet; of a turned plan with its angle.
+    #[must_use]
+    pub fn sheet_name(&self, sheet: Sheet) -> String {
+        let name = self.words.language.sheet(sheet);
+        match self.turned(sheet) {
+            Some(TurnedName::CounterClockwise) => self.words.language.turned_plan(name, "+90"),
+            Some(TurnedName::Clockwise) => self.words.language.turned_plan(name, "−90"),
+            None => name.to_owned(),
+        }
+    }
+
+    /// How the plan of a sheet is turned, where it is.
+    fn turned(&self, sheet: Sheet) -> Option<TurnedName> {
+        self.construction.turned.filter(|_| sheet == Sheet::Velocity)
     }
 
     /// The caption of a step, one line; names of points between backticks, the rest in markup.
@@ -180,7 +208,11 @@ impl<'a> Teller<'a> {
                 let name = self.slider_name(*slider);
                 let at = self.mechanism.point_name(self.mechanism.slider(*slider).at);
                 let under = marked(&self.point_in_words(under));
-                let caption = self.words.language.lay_off_sliding_velocity(&name, &under, &marked(at));
+                let sentence = match self.turned(Sheet::Velocity) {
+                    Some(_) => Language::lay_off_sliding_velocity_turned,
+                    None => Language::lay_off_sliding_velocity,
+                };
+                let caption = sentence(self.words.language, &name, &under, &marked(at));
                 (self.slide(Order::Velocity, SlidePart::Relative, *slider).into(), caption)
             }
             VectorOf::Passed(slide, part) => self.passed_part(slide, *part, arrow),
@@ -202,7 +234,13 @@ impl<'a> Teller<'a> {
                 format!("a^{}{pair} = α_{link} L{pair}", notation.tangential),
                 language.lay_off_relative_tangential(link, &to, &from, &line),
             ),
-            _ => (format!("v{pair} = ω_{link} L{pair}"), language.lay_off_relative(link, &to, &from, &line)),
+            _ => {
+                let sentence = match self.turned(Sheet::Velocity) {
+                    Some(_) => Language::lay_off_relative_turned,
+                    None => Language::lay_off_relative,
+                };
+                (format!("v{pair} = ω_{link} L{pair}"), sentence(language, link, &to, &from, &line))
+            }
         };
         (equation.into(), caption)
     }
@@ -215,7 +253,7 @@ impl<'a> Teller<'a> {
         let name = &point_on(mechanism, base, point);
         let letter = order.vector();
         match &body.role {
-            Role::Driver { pivot, alpha, .. } => {
+            Role::Driver { pivot, omega, alpha, .. } => {
                 let (k, link) = (mechanism.point_name(*pivot), &body.name);
                 let (arm, line) = (format!("L{}", subscript(&[k, name])), format!("{k}{name}"));
                 let (end, pair) = (subscript(&[name]), subscript(&[name, k]));
@@ -232,15 +270,26 @@ impl<'a> Teller<'a> {
                         .into(),
                         language.lay_off_whole_acceleration(name, k, &line),
                     ),
-                    Order::Velocity => (
-                        format!("v{end} = ω_{link} {arm}").into(),
-                        language.lay_off_velocity(name, &line, link),
-                    ),
+                    Order::Velocity => {
+                        let caption = match self.turned(Sheet::Velocity) {
+                            // ω × r, turned as ω turns, points from the end of r to its start.
+                            Some(sense) => {
+                                let is_alike = (sense == TurnedName::CounterClockwise) == (*omega > 0.0);
+                                let [from, to] = if is_alike { [name.as_str(), k] } else { [k, name.as_str()] };
+                                language.lay_off_velocity_turned(name, &line, from, to)
+                            }
+                            None => language.lay_off_velocity(name, &line, link),
+                        };
+                        (format!("v{end} = ω_{link} {arm}").into(), caption)
+                    }
                 }
             }
             Role::Carrier { .. } => {
                 let vector = format!("{letter}_{name}");
-                let caption = language.lay_off_given(&vector);
+                let caption = match self.turned(order.sheet()) {
+                    Some(_) => language.lay_off_given_turned(&vector),
+                    None => language.lay_off_given(&vector),
+                };
                 let mut formula = Formula::default();
                 formula.vector(vector, Known::Entirely, None);
                 formula.words(language.given());
@@ -275,11 +324,13 @@ impl<'a> Teller<'a> {
             (VectorPart::Coriolis, false) => language.lay_off_coriolis(&name, on, &from, &to),
             (VectorPart::Coriolis, true) => language.lay_off_coriolis_backwards(&name, on, &from, &to),
             (_, is_backwards) => {
-                let sentence = match (arrow.order, is_backwards) {
-                    (Order::Acceleration, false) => Language::lay_off_sliding_acceleration,
-                    (Order::Acceleration, true) => Language::lay_off_sliding_acceleration_backwards,
-                    (Order::Velocity, false) => Language::lay_off_sliding_velocity,
-                    (Order::Velocity, true) => Language::lay_off_sliding_velocity_backwards,
+                let sentence = match (arrow.order, self.turned(arrow.order.sheet()), is_backwards) {
+                    (Order::Acceleration, _, false) => Language::lay_off_sliding_acceleration,
+                    (Order::Acceleration, _, true) => Language::lay_off_sliding_acceleration_backwards,
+                    (Order::Velocity, None, false) => Language::lay_off_sliding_velocity,
+                    (Order::Velocity, None, true) => Language::lay_off_sliding_velocity_backwards,
+                    (Order::Velocity, Some(_), false) => Language::lay_off_sliding_velocity_turned,
+                    (Order::Velocity, Some(_), true) => Language::lay_off_sliding_velocity_turned_backwards,
                 };
                 sentence(language, &name, &from, &to)
             }

@@ -147,7 +147,11 @@ impl<'a> SheetContext<'a> {
     }
 
     pub(super) fn construction(&self) -> &'a Construction {
-        &self.solution.construction
+        match self.purpose == Purpose::Figure && self.surface.series != Series::Hand {
+            true => self.solution.shown_construction(),
+            // What a hand draws or measures on shows velocities as they are.
+            false => &self.solution.construction,
+        }
     }
 
     /// The plan of a sheet; none for the scheme.
@@ -157,7 +161,12 @@ impl<'a> SheetContext<'a> {
 
     /// The writer of captions in the figure's language.
     pub(super) fn teller(&self) -> Teller<'_> {
-        Teller::new(self.solution, &self.words)
+        Teller::of(self.solution, self.construction(), &self.words)
+    }
+
+    /// The heading of a sheet.
+    pub(super) fn sheet_name(&self, sheet: Sheet) -> String {
+        self.teller().sheet_name(sheet)
     }
 
     pub(super) fn title(&self) -> Untrusted {

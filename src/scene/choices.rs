@@ -89,6 +89,17 @@ choice! {
 }
 
 choice! {
+    /// The sense in which the velocity plan is turned by 90°.
+    #[schemars(rename = "turned")]
+    TurnedName {
+        /// Every velocity by +90°.
+        CounterClockwise = "counter-clockwise",
+        /// Every velocity by −90°.
+        Clockwise = "clockwise",
+    }
+}
+
+choice! {
     /// The number of the frame, in place of the word for it.
     #[schemars(rename = "frame")]
     FrameName {

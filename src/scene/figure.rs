@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 
 use super::choices::{
     ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, NotationName, Page, PageSize, ScalesFor,
-    Sizes, SlidingName, StyleName, ValuesShown,
+    Sizes, SlidingName, StyleName, TurnedName, ValuesShown,
 };
 use super::error::{Wrong, list, number, shortened};
 use super::given::GivenBy;
@@ -59,6 +59,9 @@ pub struct Figure {
     pub coriolis: Option<CoriolisName>,
     /// The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word.
     pub frame: Option<FrameName>,
+    /// The sense in which figures and steps show the velocity plan turned by 90°; sheets to be drawn on, keys and checks have it as
+    /// it is. Left out: not turned.
+    pub turned: Option<TurnedName>,
     /// Language of headings and captions; left out: "en".
     #[schemars(with = "Option<LanguageName>")]
     pub language: LanguageName,
@@ -100,8 +103,8 @@ pub struct Figure {
 }
 
 write_keys!(Figure {
-    panels, mu, scales, focus, page, worksheet, style, notation, sliding, coriolis, frame, language, decimal,
-    labels, special_points, construction, values, step, trace, beyond_limits, ghosts, markers; sizes, usual_values
+    panels, mu, scales, focus, page, worksheet, style, notation, sliding, coriolis, frame, turned, language,
+    decimal, labels, special_points, construction, values, step, trace, beyond_limits, ghosts, markers; sizes, usual_values
 } unless Figure::default());
 
 fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
@@ -141,6 +144,7 @@ impl Default for Figure {
             sliding: SlidingName::default(),
             coriolis: None,
             frame: None,
+            turned: None,
             language: LanguageName::default(),
             decimal: DecimalMark::default(),
             labels: IndexMap::new(),

@@ -36,7 +36,7 @@ mod write;
 pub use build::{Builder, Guide, NewLink, Push, Turn};
 pub use choices::{
     ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, LengthUnit, Measure, NotationName, Page,
-    PageSize, ScalesFor, Sizes, SlidingName, StyleName, TimeUnit, Units, ValuesShown,
+    PageSize, ScalesFor, Sizes, SlidingName, StyleName, TimeUnit, TurnedName, Units, ValuesShown,
 };
 pub use error::{Place, SceneError};
 pub use figure::Figure;

@@ -38,9 +38,11 @@ special_point_at_infinity = {$point}, special point of link {$link}, lies at inf
 measure_length = Measure the length from {$from} to {$to}.
 # Of a point of a driven link.
 lay_off_velocity = Lay off the velocity of {$point}, normal to {$arm}, in the sense of ω_{$link}.
+lay_off_velocity_turned = Lay off the velocity of {$point}, turned, along {$arm}: in the direction from {$from} to {$to}.
 lay_off_normal_acceleration = Lay off the acceleration of {$point}, from {$point} towards {$pivot}: link {$link} turns uniformly.
 lay_off_whole_acceleration = Lay off the acceleration of {$point}: normal part from {$point} towards {$pivot}, tangential part normal to {$arm}.
 lay_off_given = Lay off the given vector {$vector} from the pole.
+lay_off_given_turned = Lay off the given vector {$vector}, turned, from the pole.
 lay_off_point_under = Lay off the known vector of the point of {$body} under {$point}.
 ray_normal = Draw the ray through {$through} normal to {$line}; {$image} lies on it.
 ray_parallel = Draw the ray through {$through} parallel to the {$line}; {$image} lies on it.
@@ -55,11 +57,14 @@ solve = Solve the equations of the measured segments for {$unknowns}.
 no_construction = There is no construction by two rays for this group: its rates come from the loop equations, and its images are laid off from them, link by link.
 no_construction_far = {$points} at infinity: its rays are parallel, so the rates come from the loop equations, and the images are laid off from them, link by link.
 lay_off_relative = From ω_{$link}: lay off the velocity of {$point} relative to {$from}, normal to {$arm}.
+lay_off_relative_turned = From ω_{$link}: lay off the velocity of {$point} relative to {$from}, turned, along {$arm}.
 lay_off_relative_normal = Lay off the normal acceleration of {$point} relative to {$from}, along {$arm} towards {$from}.
 lay_off_relative_tangential = From α_{$link}: lay off the tangential acceleration of {$point} relative to {$from}, normal to {$arm}.
 lay_off_sliding_velocity = Lay off the sliding velocity of {$slider} along its guide, from {$from} to {$to}.
+lay_off_sliding_velocity_turned = Lay off the sliding velocity of {$slider}, turned, normal to its guide, from {$from} to {$to}.
 # Backwards, with its head at a point that is there: the chain runs from the sliding link to the guide.
 lay_off_sliding_velocity_backwards = Lay off the sliding velocity of {$slider} along its guide so that it ends at {$to}: it begins at {$from}.
+lay_off_sliding_velocity_turned_backwards = Lay off the sliding velocity of {$slider}, turned, normal to its guide so that it ends at {$to}: it begins at {$from}.
 lay_off_sliding_acceleration = Lay off the sliding acceleration of {$slider} along its guide, from {$from} to {$to}.
 lay_off_sliding_acceleration_backwards = Lay off the sliding acceleration of {$slider} along its guide so that it ends at {$to}: it begins at {$from}.
 lay_off_coriolis = Lay off the Coriolis acceleration of {$slider}, its sliding velocity turned by 90° in the sense of ω_{$link}, from {$from} to {$to}.
@@ -96,6 +101,8 @@ angle_of_crossing = angle of crossing {$degrees}°
 title = Velocity and acceleration plans
 scheme = Scheme
 velocity_plan = Velocity plan
+# Its velocities are drawn turned by 90°, one way or the other.
+turned_plan = {$plan}, turned by {$angle}°
 acceleration_plan = Acceleration plan
 # A special point that lies off the sheet.
 far_away = {$point}: {$distance} from {$from}
@@ -1570,6 +1577,9 @@ page-figure-coriolis = Coriolis index
 page-figure-as_notation = as the notation has it
 page-figure-frame = Frame
 page-figure-word = by a word
+page-figure-turned = Velocities
+page-figure-not_turned = as they are
+page-figure-turned_by = turned by {$angle}°
 page-figure-language = Language
 page-figure-decimal = Decimals
 page-figure-point = 2.5

@@ -3,7 +3,7 @@
 use kinegon::scene::{
     Builder, ConstructionShown, CoriolisName, DecimalMark, Figure, FrameName, Guide, LanguageName, LengthUnit,
     LinkMotion, NewLink, NotationName, Page, PageSize, PointMotion, Push, ScalesFor, Scene, SlidingName, StyleName,
-    TimeUnit, Turn, polar,
+    TimeUnit, Turn, TurnedName, polar,
 };
 use kinegon::{PerSheet, Sheet};
 use support::files;
@@ -204,7 +204,7 @@ fn every_other_key() {
             "drive": { "position": 40, "speed": 3e20, "acceleration": -2 } } ],
         "near": { "E": [1, 2], "angle(2)": 12.5 },
         "figure": { "panels": ["velocity", "scheme"], "mu_l": 1, "mu_v": 2.5, "mu_a": 0.1, "page": "letter-portrait", "worksheet": true,
-                    "style": "board", "notation": "german", "sliding": "points", "coriolis": "C", "frame": "0", "language": "es",
+                    "style": "board", "notation": "german", "sliding": "points", "coriolis": "C", "frame": "0", "turned": "clockwise", "language": "es",
                     "decimal": "comma", "special_points": false, "construction": false, "step": 7 },
         "want": ["omega(2)", "v(E)"] }"#;
     let push = Push::speed(3e20).position(40.0).acceleration(-2.0);
@@ -227,6 +227,7 @@ fn every_other_key() {
             sliding: SlidingName::Points,
             coriolis: Some(CoriolisName::Capital),
             frame: Some(FrameName::Zero),
+            turned: Some(TurnedName::Clockwise),
             language: LanguageName::Spanish,
             decimal: DecimalMark::Comma,
             worksheet: true,

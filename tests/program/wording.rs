@@ -8,7 +8,7 @@ use kinegon::position::{Count, Listed};
 use kinegon::quantity::{QuantityRequest, pencil, step_names};
 use kinegon::scene::{LanguageName, NotationName, Scene};
 use kinegon::words::Wording;
-use kinegon::{Solution, format};
+use kinegon::{Order, Solution, format};
 use kinegon_web::Engine;
 use support::files;
 use support::program::{self, kinegon, stderr};
@@ -402,6 +402,46 @@ fn motions_along_guides_and_the_frame_are_written_as_asked() {
     };
     assert_eq!(figure(&[("frame", "0")]), ["0"]);
     assert!(figure(&[]).is_empty());
+}
+
+/// Turned velocities: the heading says so, vectors lie along their links and rays parallel to them; directions are those on the sheet.
+/// Results and what a hand draws on do not change.
+#[test]
+fn a_velocity_plan_is_shown_turned() {
+    let whitworth = files::read("templates/whitworth.json");
+    let turned = |sense| solved(&with(&whitworth, &[("turned", sense)])).expect("a good scene");
+    let plain = solved(&with(&whitworth, &[])).expect("a good scene");
+    for (sense, has) in [
+        ("counter-clockwise", ["turned by +90°", "in the direction from B to A", "direction -120.00°"]),
+        ("clockwise", ["turned by −90°", "in the direction from A to B", "direction 60.00°"]),
+    ] {
+        let solution = turned(sense);
+        let text = steps(&solution);
+        let (velocities, accelerations) = text.split_once("Acceleration plan\n").expect("both plans");
+        let both =
+            ["through d parallel to DB_3", "through b normal to the guide of 2/3", "turned, normal to its guide"];
+        for words in has.into_iter().chain(both) {
+            assert!(velocities.contains(words), "{sense}: no {words} in\n{velocities}");
+        }
+        assert!(steps(&plain).ends_with(accelerations));
+        let figure = solution.figure();
+        let mut texts = figure.marks.iter().filter_map(|mark| match &mark.shape {
+            Shape::Text(text) => Some(text.text.content()),
+            _ => None,
+        });
+        assert!(texts.any(|text| text.ends_with(has[0])), "{sense}");
+        // The plan of turned velocities is the mechanism, link by link, in other sizes.
+        let plan = solution.shown_construction().plan(Order::Velocity).expect("a plan");
+        for [from, to] in [["A", "B"], ["D", "E"], ["E", "F"]] {
+            let [a, b] = [from, to].map(|name| solution.pose.point(solution.mechanism.point(name).expect(name)));
+            let image = plan.segment(&from.to_lowercase(), &to.to_lowercase()).expect("images");
+            assert!((b - a).perp(&image).abs() < 1e-12 * (b - a).norm() * image.norm(), "{sense}: {from}{to}");
+        }
+        assert_eq!(format::json(&solution.result()), format::json(&plain.result()));
+        let sheets =
+            |solution: &Solution| -> Vec<String> { solution.drawing_sheets("w").iter().map(Drawing::svg).collect() };
+        assert_eq!(sheets(&solution), sheets(&plain));
+    }
 }
 
 #[test]

@@ -201,6 +201,10 @@ Coriolis = Literal["c", "C", "k", "cor"]
 Frame = Literal["0", "1"]
 
 
+#: The sense in which the velocity plan is turned by 90°.
+Turned = Literal["counter-clockwise", "clockwise"]
+
+
 #: A language of headings and captions.
 Language = Literal["en", "es", "de", "pt"]
 
@@ -246,6 +250,8 @@ class Figure(TypedDict):
     """The index of Coriolis accelerations; left out: that of the notation."""
     frame: NotRequired[Frame]
     """The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word."""
+    turned: NotRequired[Turned]
+    """The sense in which figures and steps show the velocity plan turned by 90°; sheets to be drawn on, keys and checks have it as it is. Left out: not turned."""
     language: NotRequired[Language]
     """Language of headings and captions; left out: "en"."""
     decimal: NotRequired[Decimal]
@@ -965,6 +971,8 @@ class FigureKeys(TypedDict, total=False):
     """The index of Coriolis accelerations; left out: that of the notation."""
     frame: Frame | None
     """The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word."""
+    turned: Turned | None
+    """The sense in which figures and steps show the velocity plan turned by 90°; sheets to be drawn on, keys and checks have it as it is. Left out: not turned."""
     language: Language | None
     """Language of headings and captions; left out: "en"."""
     decimal: Decimal | None

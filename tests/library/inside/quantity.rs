@@ -3,7 +3,6 @@
 use kinegon::construction::display;
 use kinegon::quantity::{QuantityKind, QuantityRequest};
 use kinegon::scene::{FrameName, SlidingName};
-use kinegon::words::Notation;
 
 #[test]
 fn symbols_as_on_the_blackboard() {
@@ -30,7 +29,8 @@ fn symbols_as_on_the_blackboard() {
         assert_eq!(asked.symbol(&mechanism, &notation, &display), symbol);
         assert_eq!((asked.kind(), asked.written.subject().as_str()), (kind, subject), "{name}");
     }
-    let by_points = Notation { sliding: SlidingName::Points, ..notation };
+    let mut by_points = notation;
+    by_points.sliding = SlidingName::Points;
     for (name, symbol) in [
         ("position(3/2)", "s(3/2)"),
         ("v_r(3/2)", "v_{D_{3}D_{2}}"),
@@ -57,7 +57,8 @@ fn a_pin_in_a_slot_is_a_point_of_its_link() {
     let scene = kinegon::scene::Scene::read(text).expect("a good scene");
     let mechanism = kinegon::mechanism::mechanism(&scene).expect("a mechanism");
     let usual = kinegon::words::Wording::default().notation;
-    let notation = Notation { sliding: SlidingName::Points, frame: Some(FrameName::Zero), ..usual };
+    let mut notation = usual;
+    (notation.sliding, notation.frame) = (SlidingName::Points, Some(FrameName::Zero));
     let asked = QuantityRequest::new("v_r(B1/3)", &mechanism).expect("a slider");
     assert_eq!(asked.symbol(&mechanism, &usual, &display), "v_{r}(B_{1}/3)");
     assert_eq!(asked.symbol(&mechanism, &notation, &display), "v_{B_{1,1}B_{1,3}}");

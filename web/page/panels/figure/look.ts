@@ -31,6 +31,11 @@ export function look(scene: Draft): Group {
   const taken = new Set(linksOf(scene));
   const numbers = ["0", "1"].filter((value) => !taken.has(value) || at(scene, ["figure", "frame"]) === value);
   const frames = [{ text: say("word") }, ...numbers.map((value) => ({ value, text: value }))];
+  const senses = [
+    { text: say("not_turned") },
+    { value: "counter-clockwise", text: say("turned_by", { angle: "+90" }) },
+    { value: "clockwise", text: say("turned_by", { angle: "−90" }) },
+  ];
   const languages = LANGUAGES.map((code) => ({ value: code === "en" ? usual("language", code) : code, text: figure[code].language_name }));
   const marks = [{ value: usual("decimal", "point"), text: say("point") }, { value: "comma", text: say("comma") }];
   return {
@@ -41,6 +46,7 @@ export function look(scene: Draft): Group {
       { fields: [choice("notation", say("notation"), notations)] },
       { fields: [choice("sliding", say("sliding"), slidings)] },
       { fields: [choice("coriolis", say("coriolis"), letters, false), choice("frame", say("frame"), frames, false)] },
+      { fields: [choice("turned", say("turned"), senses, false)] },
       { fields: [choice("language", say("language"), languages), choice("decimal", say("decimal"), marks)] },
     ],
   };
