@@ -82,10 +82,12 @@ impl<'a> Teller<'a> {
             Action::SpecialPoint { special, .. } => self.special_point(self.construction.special(*special)),
             Action::LayOff(arrow) => self.lay_off(arrow).1,
             Action::Ray(ray) => {
-                let sentence = match ray.relation {
-                    Relation::Perpendicular => Language::ray_normal,
-                    Relation::Parallel => Language::ray_parallel,
-                    Relation::Angle => Language::ray_at_angle,
+                let sentence = match (ray.relation, self.guide_of(ray)) {
+                    (Relation::Perpendicular, None) => Language::ray_normal,
+                    (Relation::Perpendicular, Some(_)) => Language::ray_normal_to_guide,
+                    (Relation::Parallel, None) => Language::ray_parallel_to_line,
+                    (Relation::Parallel, Some(_)) => Language::ray_parallel,
+                    (Relation::Angle, _) => Language::ray_at_angle,
                 };
                 sentence(language, &marked(&ray.through), &self.line_of(ray), &marked(&ray.to))
             }
@@ -146,6 +148,14 @@ impl<'a> Teller<'a> {
         match cut.guide() {
             Some(slider) => self.words.language.guide_of(&self.slider_name(slider)),
             None => cut.name(self.words, self.mechanism, &special.name),
+        }
+    }
+
+    /// The slider on whose guide a ray's direction depends, if it is a guide's.
+    fn guide_of(&self, ray: &Ray) -> Option<SliderId> {
+        match ray.of {
+            RayOf::Leg(special, side) => self.construction.special(special).cuts[side].guide(),
+            RayOf::Arm { .. } => None,
         }
     }
 

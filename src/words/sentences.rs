@@ -5,9 +5,8 @@ use super::Language;
 use crate::message::{Declared, Message};
 use crate::sheet::Sheet;
 
-/// Declares the sentences and a method for each: `title;` gives `title(&self) -> &str`, and
-/// `cross(image);` gives `cross(&self, image: &str) -> String`. Names of points are passed in
-/// backticks, numbers as text.
+/// Declares the sentences and a method for each: `title;` gives `title(&self) -> &str`, and `cross(image);` gives
+/// `cross(&self, image: &str) -> String`. Names of points are passed in backticks, numbers as text.
 macro_rules! sentences {
     ($($(#[$about:meta])* $key:ident $(($($blank:ident),+))?;)+) => {
         /// Index of each sentence in [`DECLARED`].
@@ -77,7 +76,9 @@ sentences! {
     lay_off_given_turned(vector);
     lay_off_point_under(body, point);
     ray_normal(through, line, image);
+    ray_normal_to_guide(through, line, image);
     ray_parallel(through, line, image);
+    ray_parallel_to_line(through, line, image);
     ray_at_angle(through, angle, image);
     divide(from, to, part, whole, image);
     coincide(link, image, with);
