@@ -34,6 +34,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod accuracy;
+pub mod board;
 pub mod check;
 #[cfg(feature = "cli")]
 #[doc(hidden)] // the program

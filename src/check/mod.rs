@@ -80,6 +80,7 @@ mod prepared;
 mod proposed;
 #[doc(hidden)] // for tests
 pub mod redrawn;
+pub(crate) mod replayed;
 mod report;
 mod result;
 #[doc(hidden)] // for tests

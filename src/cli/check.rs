@@ -1,3 +1,4 @@
+use super::board;
 use super::class::{Class, Form, ReportFormat, Subject};
 use super::feedback::{Correction, FeedbackOptions, Pages};
 use super::files;
@@ -7,6 +8,7 @@ use super::options::{Hand, Words};
 use super::output::FileSet;
 use super::pieces::caught;
 use super::solve::{Mode, show_warnings, solve};
+use crate::board::HandDrawing;
 use crate::check::{self, AnswerKey, ClassColumns, Feedback, MarkScheme, Marks, Measured, Prepared};
 use crate::construction::Solution;
 use crate::cores::on_all_cores;
@@ -98,7 +100,12 @@ impl Check {
         if path.is_dir() {
             return self.class(path, &solution);
         }
-        let (text, measured) = self.read(path)?;
+        let text = self.read(path)?;
+        if HandDrawing::is_one(&text.text) {
+            show_warnings(&solution);
+            return board::judge(&AnswerKey::new(&solution, Some(self.hand.tolerance())), &text, self.json);
+        }
+        let measured = read(path, &text)?;
         self.form(&ExerciseFiles::of_scene(&self.scene), &solution, &text, &measured)
     }
 
@@ -116,15 +123,13 @@ impl Check {
         solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
     }
 
-    /// Reads one form.
-    fn read(&self, path: &Path) -> Result<(Source, Measured), Failure> {
+    /// Reads one form, or a drawing.
+    fn read(&self, path: &Path) -> Result<Source, Failure> {
         if self.output.is_some() {
             let hint = "leave out -o: the report is printed";
             return refuse("-o takes the table of a folder; here is one form", hint);
         }
-        let text = files::read_form(path)?;
-        let measured = read(path, &text)?;
-        Ok((text, measured))
+        files::read_form(path)
     }
 
     /// Checks one form and prints its report.
@@ -221,7 +226,8 @@ impl Check {
         if path.is_dir() {
             return self.classes(&exercises, path);
         }
-        let (text, measured) = self.read(path)?;
+        let text = self.read(path)?;
+        let measured = read(path, &text)?;
         let index = exercises.of_form(measured.exercise.as_ref(), path);
         let index = index.map_err(|message| Failure::unclear(format!("{}: {message}", text.name)))?;
         let exercise = &exercises.all[index];

@@ -58,6 +58,7 @@
 //! (`inset`).
 
 mod at_rest;
+mod by_hand;
 mod canvas;
 #[doc(hidden)] // for tests
 pub mod clip;
@@ -109,6 +110,7 @@ mod view;
 mod words;
 mod worksheet;
 
+pub use by_hand::{HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, hand_sheet, hand_sheets};
 pub use correction::{SeenPoint, over_photo, overlay, overlay_words};
 pub use curves::{CurvesError, curves, drive_ends, hodograph_ways, hodographs, path_ways, paths};
 pub use draft::{DraftView, draft};

@@ -7,6 +7,7 @@ messages! { "scene":
     // Kinds of files.
     scene;
     study;
+    drawing;
     style;
     form;
     marks;

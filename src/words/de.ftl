@@ -481,6 +481,7 @@ unknown_first-should = Prüfen Sie zuerst diesen Wert: spätere können aus ihm 
 
 scene-scene = Szenen
 scene-study = Studien
+scene-drawing = Zeichnung
 scene-style = Stil
 scene-form = Formular
 scene-marks = Bewertungs
@@ -1175,6 +1176,71 @@ photo-scaled_down = alle gefundenen Punkte liegen {$percent} % zu nahe an den Po
 photo-measure_ruler = legen Sie ein Lineal an das auf dem Blatt gedruckte: wenn dessen 50 mm nicht 50 mm lang sind, wurde das Blatt an die Seite angepasst gedruckt
 
 
+## Errors and warnings: board
+
+board-too_many = eine Zeichnung hat höchstens {$most} Einträge, und hier sind es {$count}
+board-no_formula = `{$text}` ist keine Formel: ab Zeichen {$place} ist sie nicht zu verstehen
+board-no_equation = `{$text}` ist keine Gleichung: es fehlt das =
+board-not_linear = `{$text}` ist nicht linear in den gesuchten Zahlen
+board-no_value = `{$text}` hat keinen Wert
+board-no_solution = die Gleichungen haben keine Lösung, oder viele
+board-taken = `{$name}` geht nicht als Name: er ist vergeben, oder keiner
+board-no_point = einen Punkt {$name} gibt es noch nicht
+board-no_line = eine Linie {$name} gibt es nicht
+board-no_number = {$name} ist noch nicht bekannt
+board-no_direction = {$name} hat keine Richtung
+board-no_reference = `{$name}` gibt keine Richtung: es ist keine Linie, kein Glied und keine Führung; zwei Punkte schreibt man als "B,C"
+board-which_points = Glied {$link} hat mehr oder weniger als zwei Punkte: sagen Sie, zwischen welchen, etwa "B,C"
+board-which_sheet = sagen Sie, auf welchem Blatt, etwa "on": "velocity"
+board-two_sheets = die Linien {$one} und {$two} liegen auf zwei Blättern
+board-no_crossing = die Linien {$one} und {$two} sind parallel
+board-line_misses = {$point} liegt nicht auf dieser Linie
+board-lines_of_others = {$point} liegt nicht dort, wo sich diese Linien schneiden
+board-point_elsewhere = {$point} liegt nicht dort
+board-number_wrong = das ist nicht {$name}
+board-equation_wrong = Gleichung {$number} gilt nicht
+board-leads_wrong = damit wird {$name} falsch
+board-drawn_off = diese Linie ist {$mm} mm und {$degrees}° neben dem Gemeinten gezeichnet
+board-point_off = dieser Punkt ist {$mm} mm neben dem Gemeinten markiert
+board-misread = {$name} ist {$mm} mm neben dem Gezeichneten abgelesen
+board-join = Linie {$name} durch {$one} und {$two}
+board-line = Linie {$name} durch {$point}, {$direction}
+board-line_by_eye = Linie {$name} nach Augenmaß
+board-cross = {$name}, wo sich {$one} und {$two} schneiden
+board-lay_off = {$name}: {$size} von {$point} aus abgetragen, {$direction}
+board-like = {$name} auf {$ends} wie im Dreieck {$points}
+board-mark = {$name} nach Augenmaß markiert
+board-measure = {$name} von {$one} nach {$two} gemessen
+board-compute = {$name} = {$formula}
+board-typed = {$name} = {$number}, eingetippt
+board-solve = {$names} aus Gleichungen
+board-undo = {$count ->
+    [one] der letzte Eintrag zurückgenommen
+   *[other] die letzten {$count} Einträge zurückgenommen
+}
+board-parallel = parallel zu {$to}
+board-normal = senkrecht zu {$to}
+board-turned = an {$base} unter dem Winkel von {$from} nach {$to}
+board-angle = unter {$degrees}°
+board-link = Glied {$name}
+board-guide = Führung {$name}
+board-drawn_line = Linie {$name}
+board-ccw = gegen den Uhrzeigersinn
+board-cw = im Uhrzeigersinn
+board-right = richtig
+board-wrong = falsch
+board-follows = folgt daraus
+board-unused = ungenutzt
+board-undone = zurückgenommen
+board-all_right = Jeder Schritt ist richtig.
+board-first_wrong = Der erste falsche Schritt ist Nummer {$number}.
+board-should = Richtig wäre: {$what}
+board-no_sheet = die Szene hat keinen solchen Plan
+board-all_there = Es ist alles da.
+board-next_line = Als Nächstes kommt eine Linie: {$sheet}.
+board-next_point = Als Nächstes kommt {$name}: {$sheet}.
+board-next_number = Als Nächstes kommt {$name}.
+
 ## The workbench: layout
 
 page-layout-described = Das Bild in Worten
@@ -1329,7 +1395,7 @@ page-layout-start_failed = Kinegon konnte nicht starten: {$why}. Nötig ist ein 
 
 ## The workbench: build
 
-page-build-board = Zeichenbrett, Punkte: {$count}
+page-build-stage = Bauen, Punkte: {$count}
 page-build-tools = Werkzeuge
 page-build-tool_select = Wählen
 page-build-tool_link = Glied
@@ -1636,6 +1702,15 @@ page-exercise-open = Auf der Werkbank öffnen
 page-exercise-opened = Die Aufgabe {$name} ist offen; „Rückgängig“ holt die vorige Szene zurück.
 page-exercise-sheet_of = Blatt der Aufgabe {$name}
 page-exercise-key_of = Lösung der Aufgabe {$name}
+page-exercise-board_paper = Pläne werden auf Papier gezeichnet
+page-exercise-board_practice = Am Zeichenbrett: Übung
+page-exercise-board_at_once = Am Zeichenbrett: Falsches wird sofort gesagt
+page-exercise-board_exam = Am Zeichenbrett: Prüfung, nichts wird gesagt
+page-exercise-board_demonstration = Am Zeichenbrett: zusehen, wie gezeichnet wird
+page-exercise-board_snap = Womit der Hand geholfen wird
+page-exercise-board_snap_all = Punkte und Geraden rasten ein
+page-exercise-board_snap_points = Nur Punkte rasten ein
+page-exercise-board_snap_none = Freihand
 
 
 ## The workbench: values
@@ -1897,6 +1972,128 @@ page-photo-other_sheet_hint = Öffnen Sie hier jene Aufgabe, oder fotografieren 
 page-photo-nameless = einer anderen Szene
 page-photo-no_plan = Dieses Blatt hat den Lageplan und keinen v- oder a-Plan.
 page-photo-no_plan_hint = Fotografieren Sie das Zeichenblatt, auf dem Sie den Plan gezeichnet haben.
+
+
+## The workbench: das Zeichenbrett
+
+page-board-title = Zeichenbrett
+page-board-begin = Hier zeichnen
+page-board-go_on = Weiterzeichnen
+page-board-intro = Zeichnen Sie die Pläne auf dem Bildschirm mit Geodreieck, Stechzirkel und Bleistift. Die erste falsche Linie wird genannt.
+page-board-close = Zurück
+page-board-undo = Rückgängig (Strg+Z)
+page-board-redo = Wiederholen (Strg+Y)
+page-board-undone = Rückgängig gemacht.
+page-board-redone = Wiederholt.
+page-board-fit = Ganzes Blatt zeigen
+page-board-more = Mehr
+page-board-tools = Werkzeuge
+page-board-sheets = Blätter
+page-board-all_sheets = Alle
+page-board-sheet = Zeichenbrett: {$name}. Buchstaben wählen Werkzeuge, N geht zur nächsten möglichen Stelle, die Eingabetaste drückt.
+page-board-list = Schritte
+page-board-list_none = Noch ist nichts gezeichnet.
+page-board-back_to_here = Ab hier zurücknehmen
+page-board-nothing_here = Hier ist nichts für dieses Werkzeug.
+page-board-write = Zeichnen
+page-board-own = eigener
+page-board-hint = Tipp
+page-board-check = Prüfen
+page-board-hand_in = Abgeben
+page-board-into_form = Ins Formular
+page-board-handed_in = Die Werte stehen im Formular.
+page-board-save = Zeichnung speichern
+page-board-open = Zeichnung öffnen…
+page-board-no_drawing = „{$name}“ ist keine Zeichnung: Es fehlt `kinegon_drawing`.
+page-board-opened = „{$name}“ liegt auf dem Zeichenbrett.
+page-board-put_back = Vorherige zurückholen
+page-board-replay = Abspielen
+page-board-play = Abspielen
+page-board-pause = Pause
+page-board-speed = Tempo
+page-board-own_construction = Die Konstruktion zeigen
+page-board-own_drawing = Zurück zur eigenen Zeichnung
+page-board-first_wrong = Zuerst falsch: Schritt {$number}.
+page-board-all_right = Alles ist da, und alles ist richtig.
+page-board-right_so_far = Bis hierher richtig.
+page-board-is_right = richtig
+page-board-is_wrong = falsch
+page-board-is_following = folgt aus einem falschen
+page-board-is_unused = nicht benutzt
+page-board-is_open = nicht zu beurteilen
+page-board-normal = senkrecht zu
+page-board-parallel = parallel zu
+page-board-angle = unter dem Winkel
+page-board-sense_none = wie es herauskommt
+page-board-ccw = gegen den Uhrzeiger
+page-board-cw = im Uhrzeigersinn
+page-board-rubbed = {$name} ist ausradiert, mit dem, was daran hing.
+page-board-tool_lay_off = Stechzirkel: Vektor abtragen
+page-board-tool_line = Geodreieck: Gerade bekannter Richtung
+page-board-tool_join = Lineal: Gerade durch zwei Punkte
+page-board-tool_cross = Bleistift: Schnittpunkt zweier Geraden
+page-board-tool_like = Abbild: ähnliches Dreieck
+page-board-tool_measure = Strecke messen
+page-board-tool_compute = Taschenrechner
+page-board-tool_solve = Gleichungen lösen
+page-board-tool_rub = Radiergummi: ein Ding und was daran hängt
+page-board-short_lay_off = Zirkel
+page-board-short_line = Dreieck
+page-board-short_join = Lineal
+page-board-short_cross = Stift
+page-board-short_like = Abbild
+page-board-short_measure = Messen
+page-board-short_compute = Rechnen
+page-board-short_solve = Lösen
+page-board-short_rub = Radieren
+page-board-form_lay_off = Im {$on} {$size} abtragen von {$from} {$how} {$reference} bis {$name}
+page-board-form_line = Im {$on} Gerade {$how} {$reference} durch {$through} namens {$name}
+page-board-form_join = Im {$on} Gerade durch {$first} und {$second} namens {$name}
+page-board-form_cross = {$first} und {$second} schneiden sich in {$name}
+page-board-form_like = Im {$on} wie {$three} zu {$one} und {$two} so liegt zu {$first} und {$second} der Punkt {$name}
+page-board-form_measure = Im {$on} messen von {$from} bis {$to} als {$name}
+page-board-form_compute = {$name} = {$as} {$sense}
+page-board-form_solve = Für {$solve} lösen {$equations}
+page-board-form_rub = {$name} ausradieren
+page-board-how_lay_off = Größe wählen, dann den Anfangspunkt drücken, dann das Glied oder die Gerade mit der Richtung.
+page-board-how_line = Glied oder Gerade drücken: Das Dreieck liegt daran. Dann den Punkt drücken, durch den die Gerade geht. T dreht es.
+page-board-how_join = Zwei Punkte drücken.
+page-board-how_cross = Drücken, wo sich zwei Geraden schneiden, und den Namen wählen.
+page-board-how_like = Drei Punkte eines Glieds im Schema drücken, dann die Bilder der ersten beiden.
+page-board-how_measure = Zwei Punkte drücken.
+page-board-how_compute = Wählen, was es ist, und schreiben, wie es berechnet wird.
+page-board-how_solve = Unbekannte nennen und je Zeile eine Gleichung schreiben.
+page-board-how_rub = Die Gerade oder den Punkt drücken.
+page-board-slot_sheet = Blatt
+page-board-slot_point = Punkt
+page-board-slot_scheme = Punkt des Schemas
+page-board-slot_line = Gerade
+page-board-slot_direction = Glied, Führung oder Gerade mit der Richtung
+page-board-slot_how = Wie es liegt
+page-board-slot_angle = Winkel von +x in Grad
+page-board-slot_formula = Formel
+page-board-slot_formulas = Gleichungen, je Zeile eine
+page-board-slot_point_name = Name des Punkts
+page-board-slot_line_name = Name der Geraden
+page-board-slot_number_name = Name der Zahl
+page-board-slot_names = Unbekannte
+page-board-slot_sense = Drehsinn
+page-board-slot_made = Was gezeichnet wurde
+page-board-wants_sheet = Auf welchem Blatt?
+page-board-wants_point = Ein Punkt fehlt: drücken oder wählen.
+page-board-wants_scheme = Ein Punkt des Schemas fehlt.
+page-board-wants_line = Eine Gerade fehlt: Schnittpunkt drücken oder zwei wählen.
+page-board-wants_direction = Die Richtung fehlt: ein Glied oder eine Gerade drücken.
+page-board-wants_how = Wie liegt es?
+page-board-wants_angle = Der Winkel fehlt.
+page-board-wants_formula = Eine Zahl oder eine Formel fehlt.
+page-board-wants_formulas = Die Gleichungen fehlen.
+page-board-wants_point_name = Welcher Punkt ist es? Name wählen.
+page-board-wants_line_name = Die Gerade braucht einen Namen.
+page-board-wants_number_name = Welche Zahl ist es? Name wählen.
+page-board-wants_names = Welches sind die Unbekannten?
+page-board-wants_sense = Welcher Drehsinn?
+page-board-wants_made = Drücken, was weg soll.
 
 
 ## The workbench: sheets

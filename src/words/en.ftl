@@ -510,6 +510,7 @@ unknown_first-should = Look at it first: values that come later may follow from 
 
 scene-scene = scene
 scene-study = study
+scene-drawing = drawing
 scene-style = style
 scene-form = form of measured values
 scene-marks = marking scheme
@@ -1208,6 +1209,71 @@ photo-scaled_down = all points that are found are {$percent} % too near to the p
 photo-measure_ruler = lay a ruler on the one that is printed on the sheet: is its 50 mm not 50 mm long, the sheet was printed to fit the page
 
 
+## Errors and warnings: board
+
+board-too_many = a drawing has at most {$most} entries, and here are {$count}
+board-no_formula = `{$text}` is no formula: it is not understood from letter {$place} on
+board-no_equation = `{$text}` is no equation: it has no =
+board-not_linear = `{$text}` is not linear in the numbers that are sought
+board-no_value = `{$text}` has no value
+board-no_solution = the equations have no solution, or many
+board-taken = `{$name}` cannot be the name: it is taken, or no name
+board-no_point = there is no point {$name} yet
+board-no_line = there is no line {$name}
+board-no_number = {$name} is not known yet
+board-no_direction = {$name} has no direction
+board-no_reference = `{$name}` gives no direction: it is no line, link or guide; two points are written as "B,C"
+board-which_points = link {$link} has more than two points, or fewer: say between which, as "B,C"
+board-which_sheet = say on which sheet, as "on": "velocity"
+board-two_sheets = lines {$one} and {$two} are on two sheets
+board-no_crossing = lines {$one} and {$two} are parallel
+board-line_misses = {$point} does not lie on this line
+board-lines_of_others = {$point} is not where these lines cross
+board-point_elsewhere = {$point} is not there
+board-number_wrong = this is not {$name}
+board-equation_wrong = equation {$number} does not hold
+board-leads_wrong = with this, {$name} comes out wrong
+board-drawn_off = this line is drawn {$mm} mm and {$degrees}° off what was meant
+board-point_off = this point is marked {$mm} mm off what was meant
+board-misread = {$name} was read {$mm} mm off what was drawn
+board-join = line {$name} through {$one} and {$two}
+board-line = line {$name} through {$point}, {$direction}
+board-line_by_eye = line {$name} by eye
+board-cross = {$name} where {$one} and {$two} cross
+board-lay_off = {$name}: {$size} laid off from {$point}, {$direction}
+board-like = {$name} on {$ends} as in the triangle {$points}
+board-mark = {$name} marked by eye
+board-measure = {$name} measured from {$one} to {$two}
+board-compute = {$name} = {$formula}
+board-typed = {$name} = {$number}, typed
+board-solve = {$names} from equations
+board-undo = {$count ->
+    [one] the last entry taken back
+   *[other] the last {$count} entries taken back
+}
+board-parallel = parallel to {$to}
+board-normal = normal to {$to}
+board-turned = at {$base} by the angle from {$from} to {$to}
+board-angle = at {$degrees}°
+board-link = link {$name}
+board-guide = guide {$name}
+board-drawn_line = line {$name}
+board-ccw = counter-clockwise
+board-cw = clockwise
+board-right = right
+board-wrong = wrong
+board-follows = follows from it
+board-unused = unused
+board-undone = taken back
+board-all_right = Every operation is right.
+board-first_wrong = The first wrong operation is number {$number}.
+board-should = It should be: {$what}
+board-no_sheet = the scene has no such plan
+board-all_there = Everything is there.
+board-next_line = Next comes a line on the {$sheet}.
+board-next_point = Next comes {$name} on the {$sheet}.
+board-next_number = Next comes {$name}.
+
 ## The workbench: layout
 
 page-layout-described = The picture in words
@@ -1362,7 +1428,7 @@ page-layout-start_failed = Kinegon could not start: {$why}. A browser from 2023 
 
 ## The workbench: build
 
-page-build-board = Board with {$count} points
+page-build-stage = Build: {$count} points
 page-build-tools = What to do
 page-build-tool_select = Select
 page-build-tool_link = Link
@@ -1669,6 +1735,15 @@ page-exercise-open = Open in the workbench
 page-exercise-opened = The exercise {$name} is open; undo brings the scene before back.
 page-exercise-sheet_of = Sheet of the exercise {$name}
 page-exercise-key_of = Key of the exercise {$name}
+page-exercise-board_paper = Plans are drawn on paper
+page-exercise-board_practice = On the drawing board: practice
+page-exercise-board_at_once = On the drawing board: a wrong line is told at once
+page-exercise-board_exam = On the drawing board: exam, nothing is told
+page-exercise-board_demonstration = On the drawing board: look on while it is drawn
+page-exercise-board_snap = What the hand is helped with
+page-exercise-board_snap_all = Points and lines snap
+page-exercise-board_snap_points = Points alone snap
+page-exercise-board_snap_none = Free hand
 
 
 ## The workbench: values
@@ -1930,6 +2005,128 @@ page-photo-other_sheet_hint = Open that exercise here, or photograph the sheet o
 page-photo-nameless = another scene
 page-photo-no_plan = This sheet has the scheme and no plan.
 page-photo-no_plan_hint = Photograph the drawing sheet, on which you have drawn the plan.
+
+
+## The workbench: the drawing board
+
+page-board-title = Drawing board
+page-board-begin = Draw here
+page-board-go_on = Go on drawing
+page-board-intro = Draw the plans on the screen with set square, dividers and pencil. The first wrong line is named.
+page-board-close = Back
+page-board-undo = Undo (Ctrl+Z)
+page-board-redo = Redo (Ctrl+Y)
+page-board-undone = Undone.
+page-board-redone = Redone.
+page-board-fit = Show all of the sheet
+page-board-more = More
+page-board-tools = Tools
+page-board-sheets = Sheets
+page-board-all_sheets = All
+page-board-sheet = Drawing board: {$name}. Letters choose tools, N goes to the next possible place, Enter presses.
+page-board-list = Operations
+page-board-list_none = Nothing is drawn yet.
+page-board-back_to_here = Take back from here on
+page-board-nothing_here = Nothing here for this tool.
+page-board-write = Draw
+page-board-own = own
+page-board-hint = Hint
+page-board-check = Check
+page-board-hand_in = Hand in
+page-board-into_form = Into the form
+page-board-handed_in = The values are in the form.
+page-board-save = Save the drawing
+page-board-open = Open a drawing…
+page-board-no_drawing = “{$name}” is no drawing: it has no `kinegon_drawing`.
+page-board-opened = “{$name}” is on the board.
+page-board-put_back = Put the one before back
+page-board-replay = Replay
+page-board-play = Play
+page-board-pause = Pause
+page-board-speed = Speed
+page-board-own_construction = Show the construction
+page-board-own_drawing = Back to the own drawing
+page-board-first_wrong = First wrong: operation {$number}.
+page-board-all_right = All is there, and all is right.
+page-board-right_so_far = Right so far.
+page-board-is_right = right
+page-board-is_wrong = wrong
+page-board-is_following = follows from a wrong one
+page-board-is_unused = not used
+page-board-is_open = cannot be judged
+page-board-normal = at right angles to
+page-board-parallel = parallel to
+page-board-angle = at the angle
+page-board-sense_none = as it comes
+page-board-ccw = counter-clockwise
+page-board-cw = clockwise
+page-board-rubbed = {$name} is rubbed out, with what hung on it.
+page-board-tool_lay_off = Dividers: lay off a vector
+page-board-tool_line = Set square: line of known direction
+page-board-tool_join = Ruler: line through two points
+page-board-tool_cross = Pencil: point where two lines cross
+page-board-tool_like = Image: similar triangle
+page-board-tool_measure = Measure a distance
+page-board-tool_compute = Calculator
+page-board-tool_solve = Solve equations
+page-board-tool_rub = Rubber: a thing and what hangs on it
+page-board-short_lay_off = Dividers
+page-board-short_line = Square
+page-board-short_join = Ruler
+page-board-short_cross = Pencil
+page-board-short_like = Image
+page-board-short_measure = Measure
+page-board-short_compute = Reckon
+page-board-short_solve = Solve
+page-board-short_rub = Rubber
+page-board-form_lay_off = In the {$on} lay off {$size} from {$from} {$how} {$reference} to {$name}
+page-board-form_line = In the {$on} line {$how} {$reference} through {$through} named {$name}
+page-board-form_join = In the {$on} line through {$first} and {$second} named {$name}
+page-board-form_cross = {$first} and {$second} cross at {$name}
+page-board-form_like = In the {$on} as {$three} lies to {$one} and {$two} so to {$first} and {$second} lies {$name}
+page-board-form_measure = In the {$on} measure from {$from} to {$to} as {$name}
+page-board-form_compute = {$name} = {$as} {$sense}
+page-board-form_solve = For {$solve} solve {$equations}
+page-board-form_rub = Rub out {$name}
+page-board-how_lay_off = The size; then press the point where it begins, and the link or line with its direction.
+page-board-how_line = Press a link or a line: the square lies on it. Then press the point through which the line goes. T turns it.
+page-board-how_join = Press two points.
+page-board-how_cross = Press where two lines cross, and choose the point’s name.
+page-board-how_like = Press three points of a link on the scheme, then the images of the first two.
+page-board-how_measure = Press two points.
+page-board-how_compute = Choose what it is, and write how it is reckoned.
+page-board-how_solve = Name the unknowns, and write one equation a line.
+page-board-how_rub = Press the line or the point.
+page-board-slot_sheet = Sheet
+page-board-slot_point = Point
+page-board-slot_scheme = Point of the scheme
+page-board-slot_line = Line
+page-board-slot_direction = Link, guide or line that gives the direction
+page-board-slot_how = How it lies
+page-board-slot_angle = Angle from +x in degrees
+page-board-slot_formula = Formula
+page-board-slot_formulas = Equations, one a line
+page-board-slot_point_name = Name of the point
+page-board-slot_line_name = Name of the line
+page-board-slot_number_name = Name of the number
+page-board-slot_names = Unknowns
+page-board-slot_sense = Sense
+page-board-slot_made = What was drawn
+page-board-wants_sheet = Which sheet?
+page-board-wants_point = A point is missing: press one, or choose it.
+page-board-wants_scheme = A point of the scheme is missing.
+page-board-wants_line = A line is missing: press the crossing, or choose two.
+page-board-wants_direction = The direction is missing: press a link or a line.
+page-board-wants_how = How does it lie?
+page-board-wants_angle = The angle is missing.
+page-board-wants_formula = A number or a formula is missing.
+page-board-wants_formulas = The equations are missing.
+page-board-wants_point_name = Which point is it? Choose its name.
+page-board-wants_line_name = The line needs a name.
+page-board-wants_number_name = Which number is it? Choose its name.
+page-board-wants_names = Which are the unknowns?
+page-board-wants_sense = Which sense?
+page-board-wants_made = Press what is to go.
 
 
 ## The workbench: sheets

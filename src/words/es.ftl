@@ -479,6 +479,7 @@ unknown_first-should = Revise este primero: los valores posteriores pueden segui
 
 scene-scene = escena
 scene-study = estudio
+scene-drawing = dibujo
 scene-style = estilo
 scene-form = valores medidos
 scene-marks = baremo
@@ -1173,6 +1174,71 @@ photo-scaled_down = todos los puntos encontrados están un {$percent} % demasiad
 photo-measure_ruler = ponga una regla sobre la que está impresa en la hoja: si sus 50 mm no miden 50 mm, la hoja se imprimió ajustada a la página
 
 
+## Errors and warnings: board
+
+board-too_many = un dibujo tiene como máximo {$most} entradas, y aquí hay {$count}
+board-no_formula = `{$text}` no es una fórmula: no se entiende a partir de la letra {$place}
+board-no_equation = `{$text}` no es una ecuación: falta el =
+board-not_linear = `{$text}` no es lineal en los números buscados
+board-no_value = `{$text}` no tiene valor
+board-no_solution = las ecuaciones no tienen solución, o tienen muchas
+board-taken = `{$name}` no sirve de nombre: ya está dado, o no es un nombre
+board-no_point = todavía no hay un punto {$name}
+board-no_line = no hay una línea {$name}
+board-no_number = {$name} todavía no se conoce
+board-no_direction = {$name} no tiene dirección
+board-no_reference = `{$name}` no da dirección: no es línea, eslabón ni guía; dos puntos se escriben como "B,C"
+board-which_points = el eslabón {$link} no tiene justo dos puntos: diga entre cuáles, como "B,C"
+board-which_sheet = diga en qué hoja, como "on": "velocity"
+board-two_sheets = las líneas {$one} y {$two} están en dos hojas
+board-no_crossing = las líneas {$one} y {$two} son paralelas
+board-line_misses = {$point} no está sobre esta línea
+board-lines_of_others = {$point} no está donde se cortan estas líneas
+board-point_elsewhere = {$point} no está ahí
+board-number_wrong = esto no es {$name}
+board-equation_wrong = la ecuación {$number} no se cumple
+board-leads_wrong = con esto, {$name} sale mal
+board-drawn_off = esta línea está dibujada a {$mm} mm y {$degrees}° de lo que se quería
+board-point_off = este punto está marcado a {$mm} mm de lo que se quería
+board-misread = {$name} se leyó a {$mm} mm de lo dibujado
+board-join = línea {$name} por {$one} y {$two}
+board-line = línea {$name} por {$point}, {$direction}
+board-line_by_eye = línea {$name} a ojo
+board-cross = {$name} donde se cortan {$one} y {$two}
+board-lay_off = {$name}: {$size} llevado desde {$point}, {$direction}
+board-like = {$name} sobre {$ends} como en el triángulo {$points}
+board-mark = {$name} marcado a ojo
+board-measure = {$name} medido de {$one} a {$two}
+board-compute = {$name} = {$formula}
+board-typed = {$name} = {$number}, escrito
+board-solve = {$names} de ecuaciones
+board-undo = {$count ->
+    [one] retirada la última entrada
+   *[other] retiradas las últimas {$count} entradas
+}
+board-parallel = paralela a {$to}
+board-normal = perpendicular a {$to}
+board-turned = en {$base} con el ángulo de {$from} a {$to}
+board-angle = a {$degrees}°
+board-link = eslabón {$name}
+board-guide = guía {$name}
+board-drawn_line = línea {$name}
+board-ccw = antihorario
+board-cw = horario
+board-right = correcto
+board-wrong = incorrecto
+board-follows = se deriva de ello
+board-unused = sin uso
+board-undone = retirado
+board-all_right = Todas las operaciones son correctas.
+board-first_wrong = La primera operación incorrecta es la número {$number}.
+board-should = Debería ser: {$what}
+board-no_sheet = la escena no tiene ese plano
+board-all_there = Está todo.
+board-next_line = Lo siguiente es una línea: {$sheet}.
+board-next_point = Lo siguiente es {$name}: {$sheet}.
+board-next_number = Lo siguiente es {$name}.
+
 ## The workbench: layout
 
 page-layout-described = La figura en palabras
@@ -1327,7 +1393,7 @@ page-layout-start_failed = Kinegon no pudo iniciarse: {$why}. Hace falta un nave
 
 ## The workbench: build
 
-page-build-board = Tablero con {$count} puntos
+page-build-stage = Construir: {$count} puntos
 page-build-tools = Qué hacer
 page-build-tool_select = Elegir
 page-build-tool_link = Eslabón
@@ -1634,6 +1700,15 @@ page-exercise-open = Abrir en el banco de trabajo
 page-exercise-opened = El ejercicio {$name} está abierto; deshacer recupera la escena anterior.
 page-exercise-sheet_of = Lámina del ejercicio {$name}
 page-exercise-key_of = Solución del ejercicio {$name}
+page-exercise-board_paper = Los planos se dibujan en papel
+page-exercise-board_practice = En el tablero: práctica
+page-exercise-board_at_once = En el tablero: se avisa enseguida de una recta equivocada
+page-exercise-board_exam = En el tablero: examen, no se dice nada
+page-exercise-board_demonstration = En el tablero: ver cómo se dibuja
+page-exercise-board_snap = Con qué se ayuda a la mano
+page-exercise-board_snap_all = Puntos y rectas encajan
+page-exercise-board_snap_points = Solo los puntos encajan
+page-exercise-board_snap_none = A mano libre
 
 
 ## The workbench: values
@@ -1895,6 +1970,128 @@ page-photo-other_sheet_hint = Abre aquí ese ejercicio, o fotografía la hoja de
 page-photo-nameless = otra escena
 page-photo-no_plan = Esta hoja tiene el esquema y ningún plano.
 page-photo-no_plan_hint = Fotografía la hoja de dibujo, en la que has dibujado el plano.
+
+
+## The workbench: el tablero de dibujo
+
+page-board-title = Tablero de dibujo
+page-board-begin = Dibujar aquí
+page-board-go_on = Seguir dibujando
+page-board-intro = Dibuje los planos en la pantalla con escuadra, compás de puntas y lápiz. Se nombra la primera recta equivocada.
+page-board-close = Volver
+page-board-undo = Deshacer (Ctrl+Z)
+page-board-redo = Rehacer (Ctrl+Y)
+page-board-undone = Deshecho.
+page-board-redone = Rehecho.
+page-board-fit = Ver toda la lámina
+page-board-more = Más
+page-board-tools = Herramientas
+page-board-sheets = Láminas
+page-board-all_sheets = Todas
+page-board-sheet = Tablero: {$name}. Las letras eligen herramientas, N va al siguiente lugar posible, Intro pulsa.
+page-board-list = Operaciones
+page-board-list_none = Todavía no hay nada dibujado.
+page-board-back_to_here = Deshacer desde aquí
+page-board-nothing_here = Aquí no hay nada para esta herramienta.
+page-board-write = Dibujar
+page-board-own = propio
+page-board-hint = Pista
+page-board-check = Comprobar
+page-board-hand_in = Entregar
+page-board-into_form = Al formulario
+page-board-handed_in = Los valores están en el formulario.
+page-board-save = Guardar el dibujo
+page-board-open = Abrir un dibujo…
+page-board-no_drawing = «{$name}» no es un dibujo: no tiene `kinegon_drawing`.
+page-board-opened = «{$name}» está en el tablero.
+page-board-put_back = Volver al anterior
+page-board-replay = Reproducir
+page-board-play = Reproducir
+page-board-pause = Pausa
+page-board-speed = Velocidad de reproducción
+page-board-own_construction = Mostrar la construcción
+page-board-own_drawing = Volver al dibujo propio
+page-board-first_wrong = Primera equivocada: la operación {$number}.
+page-board-all_right = Está todo, y todo es correcto.
+page-board-right_so_far = Hasta aquí, correcto.
+page-board-is_right = correcta
+page-board-is_wrong = equivocada
+page-board-is_following = se sigue de una equivocada
+page-board-is_unused = no se usa
+page-board-is_open = no se puede juzgar
+page-board-normal = perpendicular a
+page-board-parallel = paralela a
+page-board-angle = con el ángulo
+page-board-sense_none = como sale
+page-board-ccw = antihorario
+page-board-cw = horario
+page-board-rubbed = {$name} está borrado, con lo que dependía de él.
+page-board-tool_lay_off = Compás de puntas: llevar un vector
+page-board-tool_line = Escuadra: recta de dirección conocida
+page-board-tool_join = Regla: recta por dos puntos
+page-board-tool_cross = Lápiz: punto donde se cortan dos rectas
+page-board-tool_like = Imagen: triángulo semejante
+page-board-tool_measure = Medir una distancia
+page-board-tool_compute = Calculadora
+page-board-tool_solve = Resolver ecuaciones
+page-board-tool_rub = Goma: una cosa y lo que depende de ella
+page-board-short_lay_off = Compás
+page-board-short_line = Escuadra
+page-board-short_join = Regla
+page-board-short_cross = Lápiz
+page-board-short_like = Imagen
+page-board-short_measure = Medir
+page-board-short_compute = Calcular
+page-board-short_solve = Resolver
+page-board-short_rub = Goma
+page-board-form_lay_off = En el {$on} llevar {$size} desde {$from} {$how} {$reference} hasta {$name}
+page-board-form_line = En el {$on} recta {$how} {$reference} por {$through} con nombre {$name}
+page-board-form_join = En el {$on} recta por {$first} y {$second} con nombre {$name}
+page-board-form_cross = {$first} y {$second} se cortan en {$name}
+page-board-form_like = En el {$on} como está {$three} respecto de {$one} y {$two} está respecto de {$first} y {$second} el punto {$name}
+page-board-form_measure = En el {$on} medir de {$from} a {$to} como {$name}
+page-board-form_compute = {$name} = {$as} {$sense}
+page-board-form_solve = Para {$solve} resolver {$equations}
+page-board-form_rub = Borrar {$name}
+page-board-how_lay_off = Elija el tamaño, pulse el punto donde empieza y luego la barra o recta que da su dirección.
+page-board-how_line = Pulse una barra o recta: la escuadra se apoya en ella. Luego pulse el punto por el que pasa la recta. T la gira.
+page-board-how_join = Pulse dos puntos.
+page-board-how_cross = Pulse donde se cortan dos rectas y elija el nombre del punto.
+page-board-how_like = Pulse tres puntos de una barra en el esquema y luego las imágenes de los dos primeros.
+page-board-how_measure = Pulse dos puntos.
+page-board-how_compute = Elija qué es y escriba cómo se calcula.
+page-board-how_solve = Nombre las incógnitas y escriba una ecuación por renglón.
+page-board-how_rub = Pulse la recta o el punto.
+page-board-slot_sheet = Lámina
+page-board-slot_point = Punto
+page-board-slot_scheme = Punto del esquema
+page-board-slot_line = Recta
+page-board-slot_direction = Barra, guía o recta que da la dirección
+page-board-slot_how = Cómo está
+page-board-slot_angle = Ángulo desde +x en grados
+page-board-slot_formula = Fórmula
+page-board-slot_formulas = Ecuaciones, una por renglón
+page-board-slot_point_name = Nombre del punto
+page-board-slot_line_name = Nombre de la recta
+page-board-slot_number_name = Nombre del número
+page-board-slot_names = Incógnitas
+page-board-slot_sense = Sentido
+page-board-slot_made = Lo dibujado
+page-board-wants_sheet = ¿En qué lámina?
+page-board-wants_point = Falta un punto: púlselo o elíjalo.
+page-board-wants_scheme = Falta un punto del esquema.
+page-board-wants_line = Falta una recta: pulse el cruce o elija dos.
+page-board-wants_direction = Falta la dirección: pulse una barra o una recta.
+page-board-wants_how = ¿Cómo está?
+page-board-wants_angle = Falta el ángulo.
+page-board-wants_formula = Falta un número o una fórmula.
+page-board-wants_formulas = Faltan las ecuaciones.
+page-board-wants_point_name = ¿Qué punto es? Elija su nombre.
+page-board-wants_line_name = La recta necesita un nombre.
+page-board-wants_number_name = ¿Qué número es? Elija su nombre.
+page-board-wants_names = ¿Cuáles son las incógnitas?
+page-board-wants_sense = ¿Qué sentido?
+page-board-wants_made = Pulse lo que debe irse.
 
 
 ## The workbench: sheets

@@ -481,6 +481,7 @@ unknown_first-should = Reveja este primeiro: os valores posteriores podem decorr
 
 scene-scene = cena
 scene-study = estudo
+scene-drawing = desenho
 scene-style = estilo
 scene-form = valores medidos
 scene-marks = pontuação
@@ -1175,6 +1176,71 @@ photo-scaled_down = todos os pontos encontrados estão {$percent} % perto demais
 photo-measure_ruler = ponha uma régua sobre a que está impressa na folha: se os 50 mm dela não medem 50 mm, a folha foi impressa ajustada à página
 
 
+## Errors and warnings: board
+
+board-too_many = um desenho tem no máximo {$most} entradas, e aqui há {$count}
+board-no_formula = `{$text}` não é uma fórmula: não se entende a partir da letra {$place}
+board-no_equation = `{$text}` não é uma equação: falta o =
+board-not_linear = `{$text}` não é linear nos números procurados
+board-no_value = `{$text}` não tem valor
+board-no_solution = as equações não têm solução, ou têm muitas
+board-taken = `{$name}` não serve de nome: já está dado, ou não é um nome
+board-no_point = ainda não há um ponto {$name}
+board-no_line = não há uma linha {$name}
+board-no_number = {$name} ainda não é conhecido
+board-no_direction = {$name} não tem direção
+board-no_reference = `{$name}` não dá direção: não é linha, elo nem guia; dois pontos escrevem-se como "B,C"
+board-which_points = o elo {$link} não tem exatamente dois pontos: diga entre quais, como "B,C"
+board-which_sheet = diga em que folha, como "on": "velocity"
+board-two_sheets = as linhas {$one} e {$two} estão em duas folhas
+board-no_crossing = as linhas {$one} e {$two} são paralelas
+board-line_misses = {$point} não está sobre esta linha
+board-lines_of_others = {$point} não está onde estas linhas se cruzam
+board-point_elsewhere = {$point} não está aí
+board-number_wrong = isto não é {$name}
+board-equation_wrong = a equação {$number} não se verifica
+board-leads_wrong = com isto, {$name} sai errado
+board-drawn_off = esta linha está desenhada a {$mm} mm e {$degrees}° do que se queria
+board-point_off = este ponto está marcado a {$mm} mm do que se queria
+board-misread = {$name} foi lido a {$mm} mm do desenhado
+board-join = linha {$name} por {$one} e {$two}
+board-line = linha {$name} por {$point}, {$direction}
+board-line_by_eye = linha {$name} a olho
+board-cross = {$name} onde se cruzam {$one} e {$two}
+board-lay_off = {$name}: {$size} marcado a partir de {$point}, {$direction}
+board-like = {$name} sobre {$ends} como no triângulo {$points}
+board-mark = {$name} marcado a olho
+board-measure = {$name} medido de {$one} a {$two}
+board-compute = {$name} = {$formula}
+board-typed = {$name} = {$number}, digitado
+board-solve = {$names} de equações
+board-undo = {$count ->
+    [one] desfeita a última entrada
+   *[other] desfeitas as últimas {$count} entradas
+}
+board-parallel = paralela a {$to}
+board-normal = perpendicular a {$to}
+board-turned = em {$base} com o ângulo de {$from} a {$to}
+board-angle = a {$degrees}°
+board-link = elo {$name}
+board-guide = guia {$name}
+board-drawn_line = linha {$name}
+board-ccw = anti-horário
+board-cw = horário
+board-right = certo
+board-wrong = errado
+board-follows = decorre disso
+board-unused = sem uso
+board-undone = desfeito
+board-all_right = Todas as operações estão certas.
+board-first_wrong = A primeira operação errada é a número {$number}.
+board-should = Deveria ser: {$what}
+board-no_sheet = a cena não tem esse plano
+board-all_there = Está tudo.
+board-next_line = A seguir vem uma linha: {$sheet}.
+board-next_point = A seguir vem {$name}: {$sheet}.
+board-next_number = A seguir vem {$name}.
+
 ## The workbench: layout
 
 page-layout-described = A figura em palavras
@@ -1329,7 +1395,7 @@ page-layout-start_failed = O Kinegon não pôde iniciar: {$why}. É preciso um n
 
 ## The workbench: build
 
-page-build-board = Prancheta com {$count} pontos
+page-build-stage = Montar: {$count} pontos
 page-build-tools = O que fazer
 page-build-tool_select = Escolher
 page-build-tool_link = Elo
@@ -1636,6 +1702,15 @@ page-exercise-open = Abrir na bancada
 page-exercise-opened = O exercício {$name} está aberto; desfazer traz de volta a cena anterior.
 page-exercise-sheet_of = Folha do exercício {$name}
 page-exercise-key_of = Solução do exercício {$name}
+page-exercise-board_paper = Os polígonos são desenhados em papel
+page-exercise-board_practice = Na prancheta: prática
+page-exercise-board_at_once = Na prancheta: o erro é avisado na hora
+page-exercise-board_exam = Na prancheta: prova, nada é dito
+page-exercise-board_demonstration = Na prancheta: ver como se desenha
+page-exercise-board_snap = Com que a mão é ajudada
+page-exercise-board_snap_all = Pontos e retas encaixam
+page-exercise-board_snap_points = Só os pontos encaixam
+page-exercise-board_snap_none = Mão livre
 
 
 ## The workbench: values
@@ -1897,6 +1972,128 @@ page-photo-other_sheet_hint = Abra aqui aquele exercício, ou fotografe a folha 
 page-photo-nameless = outra cena
 page-photo-no_plan = Esta folha tem o esquema e nenhum polígono.
 page-photo-no_plan_hint = Fotografe a folha de desenho, na qual você desenhou o polígono.
+
+
+## The workbench: a prancheta
+
+page-board-title = Prancheta
+page-board-begin = Desenhar aqui
+page-board-go_on = Continuar o desenho
+page-board-intro = Desenhe os polígonos na tela com esquadro, compasso de pontas e lápis. A primeira linha errada é indicada.
+page-board-close = Voltar
+page-board-undo = Desfazer (Ctrl+Z)
+page-board-redo = Refazer (Ctrl+Y)
+page-board-undone = Desfeito.
+page-board-redone = Refeito.
+page-board-fit = Mostrar toda a folha
+page-board-more = Mais
+page-board-tools = Ferramentas
+page-board-sheets = Folhas
+page-board-all_sheets = Todas
+page-board-sheet = Prancheta: {$name}. Letras escolhem ferramentas, N vai ao próximo lugar possível, Enter pressiona.
+page-board-list = Operações
+page-board-list_none = Ainda não há nada desenhado.
+page-board-back_to_here = Desfazer a partir daqui
+page-board-nothing_here = Nada aqui para esta ferramenta.
+page-board-write = Desenhar
+page-board-own = próprio
+page-board-hint = Dica
+page-board-check = Conferir
+page-board-hand_in = Entregar
+page-board-into_form = Para o formulário
+page-board-handed_in = Os valores estão no formulário.
+page-board-save = Salvar o desenho
+page-board-open = Abrir um desenho…
+page-board-no_drawing = “{$name}” não é um desenho: falta `kinegon_drawing`.
+page-board-opened = “{$name}” está na prancheta.
+page-board-put_back = Voltar ao anterior
+page-board-replay = Reproduzir
+page-board-play = Reproduzir
+page-board-pause = Pausa
+page-board-speed = Ritmo
+page-board-own_construction = Mostrar a construção
+page-board-own_drawing = Voltar ao próprio desenho
+page-board-first_wrong = Primeira errada: a operação {$number}.
+page-board-all_right = Está tudo lá, e tudo certo.
+page-board-right_so_far = Certo até aqui.
+page-board-is_right = certa
+page-board-is_wrong = errada
+page-board-is_following = decorre de uma errada
+page-board-is_unused = não usada
+page-board-is_open = não pode ser julgada
+page-board-normal = perpendicular a
+page-board-parallel = paralela a
+page-board-angle = com o ângulo
+page-board-sense_none = como sai
+page-board-ccw = anti-horário
+page-board-cw = horário
+page-board-rubbed = {$name} foi apagado, com o que dependia dele.
+page-board-tool_lay_off = Compasso de pontas: marcar um vetor
+page-board-tool_line = Esquadro: reta de direção conhecida
+page-board-tool_join = Régua: reta por dois pontos
+page-board-tool_cross = Lápis: ponto onde duas retas se cruzam
+page-board-tool_like = Imagem: triângulo semelhante
+page-board-tool_measure = Medir uma distância
+page-board-tool_compute = Calculadora
+page-board-tool_solve = Resolver equações
+page-board-tool_rub = Borracha: uma coisa e o que depende dela
+page-board-short_lay_off = Compasso
+page-board-short_line = Esquadro
+page-board-short_join = Régua
+page-board-short_cross = Lápis
+page-board-short_like = Imagem
+page-board-short_measure = Medir
+page-board-short_compute = Calcular
+page-board-short_solve = Resolver
+page-board-short_rub = Borracha
+page-board-form_lay_off = No {$on} marcar {$size} desde {$from} {$how} {$reference} até {$name}
+page-board-form_line = No {$on} reta {$how} {$reference} por {$through} de nome {$name}
+page-board-form_join = No {$on} reta por {$first} e {$second} de nome {$name}
+page-board-form_cross = {$first} e {$second} se cruzam em {$name}
+page-board-form_like = No {$on} como {$three} está para {$one} e {$two} está para {$first} e {$second} o ponto {$name}
+page-board-form_measure = No {$on} medir de {$from} a {$to} como {$name}
+page-board-form_compute = {$name} = {$as} {$sense}
+page-board-form_solve = Para {$solve} resolver {$equations}
+page-board-form_rub = Apagar {$name}
+page-board-how_lay_off = Escolha o tamanho, toque o ponto onde começa e depois a barra ou reta que dá a direção.
+page-board-how_line = Toque uma barra ou reta: o esquadro se apoia nela. Depois toque o ponto por onde passa a reta. T gira.
+page-board-how_join = Toque dois pontos.
+page-board-how_cross = Toque onde duas retas se cruzam e escolha o nome do ponto.
+page-board-how_like = Toque três pontos de uma barra no esquema e depois as imagens dos dois primeiros.
+page-board-how_measure = Toque dois pontos.
+page-board-how_compute = Escolha o que é e escreva como se calcula.
+page-board-how_solve = Nomeie as incógnitas e escreva uma equação por linha.
+page-board-how_rub = Toque a reta ou o ponto.
+page-board-slot_sheet = Folha
+page-board-slot_point = Ponto
+page-board-slot_scheme = Ponto do esquema
+page-board-slot_line = Reta
+page-board-slot_direction = Barra, guia ou reta que dá a direção
+page-board-slot_how = Como fica
+page-board-slot_angle = Ângulo desde +x em graus
+page-board-slot_formula = Fórmula
+page-board-slot_formulas = Equações, uma por linha
+page-board-slot_point_name = Nome do ponto
+page-board-slot_line_name = Nome da reta
+page-board-slot_number_name = Nome do número
+page-board-slot_names = Incógnitas
+page-board-slot_sense = Sentido
+page-board-slot_made = O que foi desenhado
+page-board-wants_sheet = Em que folha?
+page-board-wants_point = Falta um ponto: toque ou escolha.
+page-board-wants_scheme = Falta um ponto do esquema.
+page-board-wants_line = Falta uma reta: toque o cruzamento ou escolha duas.
+page-board-wants_direction = Falta a direção: toque uma barra ou reta.
+page-board-wants_how = Como fica?
+page-board-wants_angle = Falta o ângulo.
+page-board-wants_formula = Falta um número ou uma fórmula.
+page-board-wants_formulas = Faltam as equações.
+page-board-wants_point_name = Que ponto é? Escolha o nome.
+page-board-wants_line_name = A reta precisa de um nome.
+page-board-wants_number_name = Que número é? Escolha o nome.
+page-board-wants_names = Quais são as incógnitas?
+page-board-wants_sense = Que sentido?
+page-board-wants_made = Toque o que deve sair.
 
 
 ## The workbench: sheets

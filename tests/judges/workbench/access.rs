@@ -1,4 +1,4 @@
-//! Nobody is kept out: what axe-core finds, in all panels and on the board, light and dark, on a screen and on a telephone.
+//! Nobody is kept out: what axe-core finds, in all panels and in Build, light and dark, on a screen and on a telephone.
 
 use super::bench::Bench;
 use support::{files, survey};
@@ -42,11 +42,11 @@ fn axe_finds_nothing() {
             bench.settle();
             look_at(&mut bench, panel);
         }
-        // The board, with the tool that has most to choose.
+        // Build, with the tool that has most to choose.
         bench.value("kinegon.app.show('mechanism'); kinegon.app.building.set(true)");
         bench.click("#build [data-value=slider]");
         bench.settle();
-        look_at(&mut bench, "board");
+        look_at(&mut bench, "build");
         bench.value("kinegon.app.building.set(false)");
     }
     assert!(found.is_empty(), "{}", found.join("\n"));

@@ -4,8 +4,8 @@
 
 mod access;
 mod bench;
-mod board;
 mod build;
+mod build_hands;
 mod built;
 mod bytes;
 mod course;

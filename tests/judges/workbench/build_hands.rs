@@ -1,4 +1,4 @@
-//! What hands do on the board besides its tools: fingers that rest and pinch, several parts at once, a photograph behind, and how it is left.
+//! What hands do in Build besides its tools: fingers that rest and pinch, several parts at once, a photograph behind, and how it is left.
 
 use super::bench::Bench;
 use super::build::{click, drag, empty, four_bar, on_screen, places, state, tool};
@@ -11,12 +11,12 @@ fn count(bench: &mut Bench, pointer: &str) -> usize {
 
 /// What is chosen: how many points.
 fn chosen(bench: &mut Bench) -> f64 {
-    bench.number("document.querySelectorAll('#board circle.chosen').length")
+    bench.number("document.querySelectorAll('#build-stage circle.chosen').length")
 }
 
 #[test]
 fn a_finger_that_rests_opens_the_menu_and_two_zoom() {
-    let Some(mut bench) = empty("board-fingers") else { return };
+    let Some(mut bench) = empty("build-fingers") else { return };
     four_bar(&mut bench);
     bench.telephone([390, 844]);
     bench.settle();
@@ -26,30 +26,33 @@ fn a_finger_that_rests_opens_the_menu_and_two_zoom() {
     let [x, y] = on_screen(&mut bench, [140.0, 90.0]);
     let finger = serde_json::json!([{ "x": x, "y": y, "id": 0 }]);
     bench.call("Input.dispatchTouchEvent", serde_json::json!({ "type": "touchStart", "touchPoints": finger }));
-    bench.until("document.querySelector('.board-menu').matches(':popover-open')");
+    bench.until("document.querySelector('.build-menu').matches(':popover-open')");
     bench.call("Input.dispatchTouchEvent", serde_json::json!({ "type": "touchEnd", "touchPoints": [] }));
-    bench.picture("board-menu");
-    let low = bench.value("[...document.querySelectorAll('.board-menu button')].filter((e) => e.getBoundingClientRect().height < 44 || e.getBoundingClientRect().right > innerWidth).length");
+    bench.picture("build-menu");
+    let low = bench.value("[...document.querySelectorAll('.build-menu button')].filter((e) => e.getBoundingClientRect().height < 44 || e.getBoundingClientRect().right > innerWidth).length");
     assert_eq!(low, 0, "entries for fingers, within the screen");
-    bench.press_named(".board-menu", "Fix it");
+    bench.press_named(".build-menu", "Fix it");
     assert_ne!(bench.at("/ground/C"), Value::Null, "{}", bench.scene());
     bench.click("#undo");
     bench.settle();
     // Two fingers go from 80 to 160 px apart, and 30 px to the right: what was between them stays there, also where nothing is seen any more.
     let window = |bench: &mut Bench| {
-        let window = bench.value("JSON.parse(document.querySelector('#board').dataset.window)");
+        let window = bench.value("JSON.parse(document.querySelector('#build-stage').dataset.window)");
         [0, 1, 2].map(|k| window[k].as_f64().expect("a number"))
     };
     // y of the pane goes down.
     let under = |window: [f64; 3], right: f64| [window[0] + right / window[2], window[1] - 60.0 / window[2]];
-    let [x, y, ..] = bench.place("#board");
+    let [x, y, ..] = bench.place("#build-stage");
     let apart = |by: f64, half: f64| [[x + by - half, y + 60.0], [x + by + half, y + 60.0]];
     let ways: Vec<[[f64; 2]; 2]> =
         (0..=8).map(|k| apart(30.0 * f64::from(k) / 8.0, 40.0 + 5.0 * f64::from(k))).collect();
     for _ in 0..3 {
         let before = window(&mut bench);
         bench.touch(&ways.iter().map(<[_; 2]>::as_slice).collect::<Vec<_>>());
-        bench.until(&format!("JSON.parse(document.querySelector('#board').dataset.window)[2] > {}", 1.97 * before[2]));
+        bench.until(&format!(
+            "JSON.parse(document.querySelector('#build-stage').dataset.window)[2] > {}",
+            1.97 * before[2]
+        ));
         bench.settle();
         let after = window(&mut bench);
         assert!((after[2] / before[2] - 2.0).abs() < 0.02, "{before:?} {after:?}");
@@ -62,7 +65,7 @@ fn a_finger_that_rests_opens_the_menu_and_two_zoom() {
 
 #[test]
 fn several_are_copied_with_their_drives_and_removed() {
-    let Some(mut bench) = empty("board-several") else { return };
+    let Some(mut bench) = empty("build-several") else { return };
     four_bar(&mut bench);
     tool(&mut bench, "select");
     // A frame, drawn with Shift, around all; what is copied is complete as its original is.
@@ -102,7 +105,7 @@ fn several_are_copied_with_their_drives_and_removed() {
         let off = libm::hypot(is.re - was.re - way[0], is.im - was.im - way[1]);
         assert!(off < 0.2, "{name} went from {was} to {is}");
     }
-    bench.picture("board-copied");
+    bench.picture("build-copied");
     // Delete takes the whole copy, and the text is the original's.
     bench.press("Delete");
     bench.until("Object.keys(JSON.parse(kinegon.history.now.value.text).links).length === 3");
@@ -120,7 +123,7 @@ fn several_are_copied_with_their_drives_and_removed() {
 
 #[test]
 fn a_photograph_lies_behind_to_scale() {
-    let Some(mut bench) = empty("board-photograph") else { return };
+    let Some(mut bench) = empty("build-photograph") else { return };
     // A box for files that is asked for stays where the test reaches it.
     bench.value("HTMLInputElement.prototype.click = function () { this.id = 'asked'; setTimeout(() => document.body.append(this)); }");
     bench.press_named("#build", "Photograph");
@@ -148,14 +151,14 @@ fn a_photograph_lies_behind_to_scale() {
     bench.until("document.querySelector('#build .length').hidden");
     bench.settle();
     let image = bench.value(shown);
-    let scale = bench.number("JSON.parse(document.querySelector('#board').dataset.window)[2]");
+    let scale = bench.number("JSON.parse(document.querySelector('#build-stage').dataset.window)[2]");
     let apart = (share[1] - share[0]) * image[2].as_f64().expect("a width") / scale;
     assert!((apart - 120.0).abs() < 0.5, "{apart} mm");
     // What is built over it is a mechanism, and the photograph no part of it.
     drag(&mut bench, [0.0, 0.0], [60.0, 0.0]);
     assert_eq!(bench.at("/links/1/lengths/AB"), 60, "{}", bench.scene());
     assert!(!bench.scene().contains("blob"), "{}", bench.scene());
-    bench.picture("board-photograph");
+    bench.picture("build-photograph");
     bench.press_named("#build", "Without photograph");
     assert_eq!(bench.value("document.querySelector('#build image')"), Value::Null);
     bench.assert_quiet();
@@ -163,7 +166,7 @@ fn a_photograph_lies_behind_to_scale() {
 
 #[test]
 fn what_is_only_begun_is_no_mistake() {
-    let Some(mut bench) = empty("board-begun") else { return };
+    let Some(mut bench) = empty("build-begun") else { return };
     drag(&mut bench, [0.0, 0.0], [20.0, 60.0]);
     drag(&mut bench, [20.0, 60.0], [140.0, 90.0]);
     // Where no point is near but the grid leads to one, that is meant.
@@ -177,12 +180,12 @@ fn what_is_only_begun_is_no_mistake() {
     assert_eq!(bench.message(), format!("{missing}Go on building"), "the same words, and a way back");
     let red = "[document.querySelector('#message').role, document.querySelectorAll('.refusal').length, document.querySelectorAll('#message strong').length]";
     assert_eq!(bench.value(red), serde_json::json!(["status", 0, 0]));
-    bench.picture("board-left");
+    bench.picture("build-left");
     bench.click("#message-build");
     bench.settle();
     assert_eq!(
         bench.value("[kinegon.app.building.value, document.activeElement.id]"),
-        serde_json::json!([true, "board"])
+        serde_json::json!([true, "build-stage"])
     );
     assert_eq!(bench.message(), "");
     // A mistake is one: there is no link of that name.
@@ -195,7 +198,7 @@ fn what_is_only_begun_is_no_mistake() {
 
 #[test]
 fn what_plays_stops_where_building_begins() {
-    let Some(mut bench) = Bench::of("board-play", &files::read("templates/four-bar.json")) else { return };
+    let Some(mut bench) = Bench::of("build-play", &files::read("templates/four-bar.json")) else { return };
     bench.click("#play");
     bench.until("document.querySelector('#play').ariaPressed === 'true'");
     bench.click("#hand-build");
@@ -203,8 +206,8 @@ fn what_plays_stops_where_building_begins() {
     bench.settle();
     let scene = bench.scene();
     bench.value("new Promise((done) => setTimeout(done, 300))");
-    assert_eq!(bench.scene(), scene, "nothing moves behind the board");
-    // At once the keys are the board's.
+    assert_eq!(bench.scene(), scene, "nothing moves behind what is built");
+    // At once the keys are the stage's.
     bench.press(" ");
     bench.settle();
     assert_eq!(bench.value("document.querySelector('#play').ariaPressed"), "false");

@@ -1,4 +1,4 @@
-// What the board works out by itself: where keys lead, what is only begun, what copies are.
+// What Build works out by itself: where keys lead, what is only begun, what copies are.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
@@ -7,12 +7,12 @@ import { crossed } from "../../web/page/build/cross.ts";
 import { isBegun, unfinished } from "../../web/page/build/mobility.ts";
 import { sight } from "../../web/page/build/sight.ts";
 import { drawn, nextChoice, pressed, type Choices, type Present, type Press } from "../../web/page/build/tools.ts";
-import type { Board, Edit, Refused } from "../../web/page/engine/types.ts";
+import type { Drafted, Edit, Refused } from "../../web/page/engine/types.ts";
 import { parsed, type Draft } from "../../web/page/panels/parts/scene.ts";
 
 const fourBar = parsed(readFileSync("../templates/four-bar.json", "utf8"))!;
-const board = { sliders: [] } as unknown as Board;
-const present: Present = { scene: fourBar, board, places: new Map([["A", [0, 0]], ["B", [30, 52]], ["C", [157, 110]], ["D", [160, 0]]]) };
+const drafted = { sliders: [] } as unknown as Drafted;
+const present: Present = { scene: fourBar, drafted, places: new Map([["A", [0, 0]], ["B", [30, 52]], ["C", [157, 110]], ["D", [160, 0]]]) };
 const choices: Choices = { sliding: "block", guided: "along" };
 const press = (at: [number, number], point: string | null = null, link: string | null = null): Press => ({ at, under: at, point, link });
 
@@ -66,7 +66,7 @@ test("tools say what they need, or what follows", () => {
   assert.deepEqual(edits, [{ add_link: { points: [{ name: "B", at: [30, 52] }, { name: "D", at: [160, 0] }] } }]);
 });
 
-test("what is fitted fills the board, small or large", () => {
+test("what is fitted fills the stage, small or large", () => {
   for (const [width, height] of [[800, 600], [320, 220]] as const) {
     const own = sight();
     own.resize(width, height);
