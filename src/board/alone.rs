@@ -1,7 +1,7 @@
 //! What an entry comes to by itself, with right inputs: a point must be where its name says, a number must be what its name says, a line
 //! must go through the point for which it is used.
 
-use super::bench::{Bench, Found, turns};
+use super::bench::{Bench, Found};
 use super::file::{Compute, Entry, LayOff, Line, Measure, Solve};
 use super::formula::Formula;
 use super::says;
@@ -60,6 +60,7 @@ impl Bench<'_> {
     fn found_line(&self, line: &Line, name: &str, is_typed: bool) -> Found {
         let mut missed = None;
         for one in &self.meant(line) {
+            let is_typed = is_typed || self.reads_typed(one);
             match self.holds(one, name, is_typed) {
                 Held::Nothing => return Found::Own,
                 Held::All => match self.line_off_hand(one, line) {
@@ -79,6 +80,10 @@ impl Bench<'_> {
     /// Whether a line goes through the points at whose crossings it is used.
     pub fn holds(&self, entry: &Entry, name: &str, is_typed: bool) -> Held {
         let Some(targets) = self.targets.get(name) else { return Held::Nothing };
+        // What was drawn for something else, too, is crossed wrongly there, not drawn wrongly.
+        if matches!(entry, Entry::Join(_)) && self.uses.get(name).is_some_and(|uses| *uses > targets.len()) {
+            return Held::Nothing;
+        }
         let mut first = None;
         for target in targets {
             let mut has_meaning = false;
@@ -125,7 +130,15 @@ impl Bench<'_> {
             }
             _ => false,
         });
-        if !is_right && !(is_typed && self.is_near_expected(sheet, name, own)) {
+        let as_expected = || {
+            let expected = self.causes.expected_place(&self.own, sheet, name);
+            let start = start.and_then(|from| self.own.place(sheet, from));
+            expected.is_some_and(|expected| {
+                let run = start.map_or(0.0, |start| (own - start).norm());
+                (own - expected).norm() <= self.typed_reach(sheet, run)
+            })
+        };
+        if !(is_right || is_typed && as_expected()) {
             return Found::Wrong(match entry {
                 Entry::Cross(_) => says::lines_of_others(name),
                 _ => says::point_elsewhere(name),
@@ -165,6 +178,14 @@ impl Bench<'_> {
     }
 
     fn found_number(&self, entry: &Entry, name: &str, own: f64, is_typed: bool) -> Found {
+        if let Entry::Measure(measure) = entry {
+            if self.is_between_others(measure) {
+                return Found::Wrong(says::number_wrong(name));
+            }
+            if let Found::Wrong(what) = self.misread(entry, measure) {
+                return Found::Wrong(what);
+            }
+        }
         let Some(asked) = self.meaning(entry, name) else {
             return if self.is_known_number(entry) { Found::Right } else { Found::Own };
         };
@@ -182,17 +203,24 @@ impl Bench<'_> {
             let is_scene = std::ptr::eq(table.given, self.judge.given());
             all.iter().all(|(_, found)| {
                 // In other scenes a link may turn the other way, which a stated sense does not know.
-                let is_size = if stated { !is_scene } else { *found >= 0.0 && turns(&asked) };
-                near(*found, right) || (is_size && near(found.abs(), right.abs()))
+                near(*found, right) || (stated && !is_scene && near(found.abs(), right.abs()))
             })
         });
         if !is_right && !(is_typed && self.is_near_expected_number(&asked, own)) {
             return Found::Wrong(says::number_wrong(name));
         }
-        match entry {
-            Entry::Measure(measure) => self.misread(entry, measure),
-            _ => Found::Right,
-        }
+        Found::Right
+    }
+
+    /// Whether a length or a segment is measured between other points than its name has.
+    fn is_between_others(&self, measure: &Measure) -> bool {
+        let Some((sheet, ends)) = super::reads::segment_of(&measure.measure) else { return false };
+        let own = [&measure.from, &measure.to];
+        let place = |name: &String| self.own.place(sheet, name);
+        // A point may have several names.
+        let is_same = |a: &String, b: &String| a == b || place(a).is_some_and(|at| Some(at) == place(b));
+        let [a, b] = &ends;
+        !(is_same(own[0], a) && is_same(own[1], b) || is_same(own[0], b) && is_same(own[1], a))
     }
 
     /// The quantity that a number's name means: itself, or of two points written together the segment between them.
@@ -202,6 +230,10 @@ impl Bench<'_> {
             return Some(name.to_owned());
         }
         let Entry::Measure(measure) = entry else { return None };
+        // Signs behind letters may be the hand's own.
+        if !name.chars().all(char::is_alphabetic) {
+            return None;
+        }
         let sheet = self.measured_on(measure)?;
         let names: Vec<&str> = given.places(sheet).map(|(name, _)| name).collect();
         let split = names.iter().find_map(|first| {
@@ -256,9 +288,7 @@ impl Bench<'_> {
 
     /// The same of a typed number.
     fn is_near_expected_number(&self, name: &str, own: f64) -> bool {
-        let is_size = own >= 0.0 && turns(name);
-        let near =
-            |value: f64, band: f64| (own - value).abs() <= band || (is_size && (own - value.abs()).abs() <= band);
+        let near = |value: f64, band: f64| (own - value).abs() <= band;
         let typed = |value: f64| near(value, TYPED * value.abs());
         let right = self.judge.given().number(name);
         right.is_some_and(typed)

@@ -39,17 +39,19 @@ impl<'j> Causes<'j> {
         })
     }
 
-    /// The mistake that does in all scenes what this entry does with right inputs, where numbers were typed in the scene itself; of several the commonest.
-    pub fn of(&self, entry: &Entry, made: &Made, right: &[Table<'_>], is_typed: bool) -> Option<Cause> {
-        let scenes = if is_typed { 1 } else { right.len() };
+    /// The mistake that does in all scenes what this entry does with right inputs, and in the scene alone what `typed` numbers make of it;
+    /// of several the commonest.
+    pub fn of(&self, entry: &Entry, made: &Made, right: &[Table<'_>], typed: Option<&Made>) -> Option<Cause> {
+        let scenes = if typed.is_some() { 1 } else { right.len() };
         let mut left: Option<Vec<Cause>> = None;
         for (replayed, table) in self.replayed().iter().zip(right).take(scenes) {
-            let (Some(replayed), Ok(alone)) = (replayed, table.carry_out(entry)) else { continue };
+            let alone = typed.cloned().map_or_else(|| table.carry_out(entry), Ok);
+            let (Some(replayed), Ok(alone)) = (replayed, alone) else { continue };
             let start = match (entry, made) {
                 (Entry::LayOff(LayOff { from, .. }), Made::Place(sheet, ..)) => table.place(*sheet, from),
                 _ => None,
             };
-            let tolerance = if is_typed { 0.012 } else { 1e-6 };
+            let tolerance = if typed.is_some() { 0.012 } else { 1e-6 };
             let seen = Seen { table, entry, alone: &alone, start, tolerance };
             let found = replayed.candidates().filter_map(|(candidate, touched)| {
                 let likeness = touched.iter().map(|touched| seen.likeness(touched, replayed)).fold(0.0, f64::max);
@@ -163,13 +165,13 @@ impl<'j> Causes<'j> {
         3.0 * self.judge.tolerance().mm + segment.map_or(0.0, |segment| self.band(&segment) / scale)
     }
 
-    /// Three times the band of honest drawings of a quantity; 0 where a hand does not read it.
+    /// The band of honest drawings of a quantity; 0 where a hand does not read it.
     pub fn band(&self, name: &str) -> f64 {
         let given = self.judge.given();
         let Ok(asked) = QuantityRequest::new(name, given.mechanism()) else { return 0.0 };
         let scales = self.judge.usual_scales().map(Some);
         let pencil = crate::quantity::pencil(&given.solution, &scales, *self.judge.tolerance(), vec![asked]);
-        pencil.band(name).map_or(0.0, |band| if band.band.is_finite() { 3.0 * band.band } else { 0.0 })
+        pencil.band(name).map_or(0.0, |band| if band.band.is_finite() { band.band } else { 0.0 })
     }
 }
 
@@ -198,12 +200,16 @@ impl Seen<'_, '_> {
             // A line that goes through where a mistake puts a point, and not where the point is.
             (Made::Line(_, line), Touched::Place { place, at, right, is_crossing: true, .. }) => {
                 let small = 1e-6 * given.size(line.sheet);
-                let leads_there = replayed.sheet_of(*place) == Some(line.sheet)
+                // Special points are crossed by lines of the scheme; a ray has a direction to go by.
+                let leads_there = line.sheet == Sheet::Scheme
+                    && replayed.sheet_of(*place) == Some(line.sheet)
                     && line.distance(*at).abs() <= small
                     && line.distance(*right).abs() > 10.0 * small;
                 return if leads_there { LESS } else { 0.0 };
             }
-            (Made::Place(sheet, name, at), Touched::Place { place, at: other, start, .. }) => {
+            (Made::Place(sheet, name, at), Touched::Place { place, at: other, start, is_edited, .. })
+                if *is_edited || !matches!(self.entry, Entry::Cross(_)) =>
+            {
                 let near = |a: Vector, b: Vector, size: f64| (a - b).norm() <= self.tolerance * size;
                 let has_meaning = given.place(*sheet, name).is_some();
                 let run = self.start.map_or(given.size(*sheet), |start| (at - start).norm());

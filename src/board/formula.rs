@@ -92,7 +92,17 @@ impl Formula {
 
     /// Whether it has numbers that somebody has looked up or worked out: more than factors of 2, halves and exponents.
     pub(super) fn has_constants(&self) -> bool {
-        self.value.has_constants()
+        self.value.has(&|x| ![0.0, 0.5, 1.0, 2.0].contains(&x))
+    }
+
+    /// Whether it has any numbers, but for exponents.
+    pub(super) fn has_numbers(&self) -> bool {
+        self.value.has(&|_| true)
+    }
+
+    /// Whether there is a power in it.
+    pub(super) fn has_power(&self) -> bool {
+        self.value.has_power()
     }
 
     /// The names in it, in order.
@@ -135,13 +145,23 @@ impl Node {
         })
     }
 
-    fn has_constants(&self) -> bool {
+    fn has_power(&self) -> bool {
         match self {
-            Node::Number(x) => ![0.0, 0.5, 1.0, 2.0].contains(x),
+            Node::Number(_) | Node::Name(_) => false,
+            Node::Minus(node) | Node::Of(_, node) => node.has_power(),
+            Node::Two(Sign::Power, _) => true,
+            Node::Two(_, two) => two.iter().any(Node::has_power),
+        }
+    }
+
+    /// Whether it has such numbers, but for exponents.
+    fn has(&self, is_such: &dyn Fn(f64) -> bool) -> bool {
+        match self {
+            Node::Number(x) => is_such(*x),
             Node::Name(_) => false,
-            Node::Minus(node) | Node::Of(_, node) => node.has_constants(),
-            Node::Two(Sign::Power, two) => two[0].has_constants(),
-            Node::Two(_, two) => two.iter().any(Node::has_constants),
+            Node::Minus(node) | Node::Of(_, node) => node.has(is_such),
+            Node::Two(Sign::Power, two) => two[0].has(is_such),
+            Node::Two(_, two) => two.iter().any(|node| node.has(is_such)),
         }
     }
 

@@ -3,6 +3,7 @@
 use super::alone::Held;
 use super::bench::{Bench, Found};
 use super::file::{Cross, Direction, Entry, LayOff, Line, Measure};
+use super::given::image;
 use super::says;
 use super::table::{DrawnLine, Made};
 use crate::geometry::Vector;
@@ -14,6 +15,9 @@ const FREE: f64 = 3.0;
 
 /// What a reading may be off by besides, in mm: rulers have millimetres.
 const RULER: f64 = 0.5;
+
+/// Most points of a link whose triangles a free line may have been drawn after.
+const MOST_POINTS: usize = 6;
 
 impl Bench<'_> {
     /// What a line may mean: what stands in its entry, or all points and directions that its place allows.
@@ -29,7 +33,7 @@ impl Bench<'_> {
         let points: Vec<String> = near.map(|(name, _)| name.to_owned()).collect();
         let directions = match &line.along {
             Some(along) => vec![along.clone()],
-            None => self.directions(),
+            None => self.directions(sheet),
         };
         let mut meant = Vec::new();
         for along in directions {
@@ -49,12 +53,12 @@ impl Bench<'_> {
     pub fn right_meaning(&self, entry: &Entry) -> Option<Entry> {
         let Entry::Line(line) = entry else { return None };
         let meant = self.meant(line);
-        let first = meant.iter().find(|one| matches!(self.holds(one, &line.line, false), Held::All));
+        let first = meant.iter().find(|one| matches!(self.holds(one, &line.line, self.reads_typed(one)), Held::All));
         first.or(meant.first()).cloned()
     }
 
     /// The directions that a mechanism offers to a set square: along and across its links, guides and lines of the scheme.
-    fn directions(&self) -> Vec<Direction> {
+    fn directions(&self, sheet: Sheet) -> Vec<Direction> {
         let given = self.judge.given();
         let mechanism = given.mechanism();
         let mut names: Vec<String> = mechanism.slider_ids().map(|id| mechanism.slider_name(id)).collect();
@@ -68,8 +72,24 @@ impl Bench<'_> {
             }
         }
         names.extend(self.own.lines().filter(|(_, line)| line.sheet == Sheet::Scheme).map(|(name, _)| name.to_owned()));
+        let mut all = Vec::new();
+        for (_, body) in mechanism.links().filter(|(_, body)| body.points.len() > 2 && sheet != Sheet::Scheme) {
+            let points: Vec<&str> = body.points.iter().take(MOST_POINTS).map(|p| mechanism.point_name(*p)).collect();
+            let pairs: Vec<[&str; 2]> = (0..points.len())
+                .flat_map(|at| points[at + 1..].iter().map(|to| [points[at], *to]).collect::<Vec<_>>())
+                .collect();
+            // The image of a link is as its triangle: at a side that is there the angle to another.
+            for base in pairs.iter().filter(|ends| ends.iter().all(|end| self.own.place(sheet, &image(end)).is_some()))
+            {
+                all.extend(pairs.iter().filter(|other| *other != base).map(|other| Direction::Turned {
+                    turned: [base.join(","), other.join(",")],
+                    base: base.map(image).join(","),
+                }));
+            }
+        }
         let both = |name: String| [Direction::Parallel { parallel: name.clone() }, Direction::Normal { normal: name }];
-        names.into_iter().flat_map(both).collect()
+        all.extend(names.into_iter().flat_map(both));
+        all
     }
 
     /// How far a line is from what it meant, where that is too far.

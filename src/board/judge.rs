@@ -1,10 +1,10 @@
 //! The judge of drawings, and what it finds.
 
 use super::bench::Bench;
-use super::file::{Entry, HandDrawing};
+use super::file::{Cross, Entry, HandDrawing};
 use super::given::Given;
 use super::others::others;
-use super::table::Table;
+use super::table::{Made, Table};
 use crate::check::{AnswerKey, Told};
 use crate::construction::Tolerance;
 use crate::message::Message;
@@ -122,6 +122,36 @@ impl Judge {
             }
         }
         (table, None)
+    }
+
+    /// By entry: the step of Kinegon's construction that finds what it makes, or for which its line is crossed; 0 where none does.
+    #[must_use]
+    pub fn steps(&self, drawing: &HandDrawing) -> Vec<usize> {
+        let construction = self.given.construction();
+        let steps = construction.steps_of_quantities();
+        let of_point = |sheet: Sheet, name: &str| {
+            let order = sheet.order()?;
+            steps.get(&sheet.segment_name(order.pole(), name))
+        };
+        let mut found = vec![0; drawing.did.len()];
+        let mut table = Table::new(&self.given, self.scales(drawing));
+        let crossed = |line: &str| {
+            standing(drawing).find_map(|(_, entry)| match entry {
+                Entry::Cross(Cross { cross, of, .. }) if of.iter().any(|own| own == line) => Some(cross.as_str()),
+                _ => None,
+            })
+        };
+        for (index, entry) in standing(drawing) {
+            let Ok(made) = table.carry_out_by_hand(entry) else { break };
+            let step = match &made {
+                Made::Place(sheet, name, _) => of_point(*sheet, name),
+                Made::Line(name, line) => crossed(name).and_then(|point| of_point(line.sheet, point)),
+                Made::Numbers(all) => all.first().and_then(|(name, _)| steps.get(name)),
+            };
+            found[index] = step.map_or(0, |step| construction.step_number(*step));
+            table.put(made);
+        }
+        found
     }
 
     /// The verdicts on a drawing's entries.

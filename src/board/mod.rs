@@ -28,6 +28,7 @@ mod reads;
 #[doc(hidden)] // for tests
 pub mod says;
 mod screen;
+mod slips;
 mod snap;
 mod table;
 mod told;

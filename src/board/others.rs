@@ -23,12 +23,15 @@ struct Changed {
     turn: f64,
 }
 
-const WAYS: [Changed; 6] = [
+const WAYS: [Changed; 9] = [
     Changed { sizes: 0.1, turn: 12.0 },
     Changed { sizes: 0.1, turn: 12.0 },
     Changed { sizes: 0.05, turn: 6.0 },
     Changed { sizes: 0.1, turn: 0.0 },
     Changed { sizes: 0.0, turn: 12.0 },
+    Changed { sizes: 0.02, turn: 2.0 },
+    Changed { sizes: 0.005, turn: 0.5 },
+    Changed { sizes: 0.0005, turn: 0.05 },
     // Rates alone.
     Changed { sizes: 0.0, turn: 0.0 },
 ];
@@ -71,7 +74,28 @@ fn is_like(given: &Given, other: &Given) -> bool {
         let [omega, alpha] = [largest(0), largest(1)];
         motion.bodies.iter().flat_map(|b| [b.omega.abs() <= REST * omega, b.alpha.abs() <= REST * alpha]).collect()
     };
-    same_rest && rates(given) == rates(other)
+    same_rest && rates(given) == rates(other) && signs(given) == signs(other)
+}
+
+/// The signs that somebody sees in a scene and writes into formulas: senses of rates, the sides on which special points lie, the senses of
+/// segments.
+fn signs(given: &Given) -> Vec<bool> {
+    let (mechanism, motion, construction) = (given.mechanism(), &given.solution.motion, given.construction());
+    let mut signs: Vec<bool> = motion.bodies.iter().flat_map(|body| [body.omega < 0.0, body.alpha < 0.0]).collect();
+    signs.extend(motion.slides.iter().flat_map(|slide| [slide.velocity < 0.0, slide.acceleration < 0.0]));
+    for special in &construction.special {
+        let Some(place) = given.place(Sheet::Scheme, &special.name) else { continue };
+        let points = mechanism.body(special.link).points.iter().map(|point| mechanism.point_name(*point));
+        let points: Vec<_> = points.filter_map(|name| given.place(Sheet::Scheme, name)).collect();
+        for from in &points {
+            signs.extend(points.iter().filter(|to| *to != from).map(|to| (place - from).dot(&(to - from)) < 0.0));
+        }
+    }
+    let values = construction.run(crate::sheet::PerSheet::from_fn(|_| 1.0), &[]);
+    for operation in &construction.operations {
+        signs.extend(operation.kind.numbers().iter().map(|number| values.number(*number) < 0.0));
+    }
+    signs
 }
 
 /// What is less than this part of the largest is at rest.

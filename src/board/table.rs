@@ -427,6 +427,14 @@ impl<'g> Table<'g> {
         names
     }
 
+    /// A number of a formula.
+    ///
+    /// # Errors
+    /// It is not known yet.
+    pub(super) fn formula_number(&self, name: &str) -> Result<f64, Message> {
+        self.number(name)
+    }
+
     /// The value of a number that a formula may use; `None` where it is not known yet.
     #[must_use]
     pub fn known(&self, name: &str) -> Option<f64> {

@@ -103,6 +103,7 @@ pub use feedback::Feedback;
 pub use form::{FormBox, form_boxes, further_boxes, plan_points};
 pub use marks::{Awarded, MarkScheme, Marks};
 pub use measured::{AnswerKey, CheckError, DEPTH, Given, LENIENCY, Measured, PlacedPoint, PointsOf, Positive};
+pub(crate) use mistakes::tell;
 pub use mistakes::{Blank, Candidate, Mistake, Told};
 pub use names::{asked_names, form_names};
 #[cfg(feature = "photo")]

@@ -33,6 +33,8 @@ pub(crate) enum Touched {
         right_start: Vector,
         /// Whether it is where lines cross.
         is_crossing: bool,
+        /// Whether it is made at the operation where the mistake is.
+        is_edited: bool,
     },
     /// A number.
     Number {
@@ -109,6 +111,7 @@ fn touched(model: &Model, candidate: &Candidate) -> Vec<Touched> {
                 right: model.exact.place(place),
                 right_start: starts(&operation.kind).map_or(Vector::zeros(), |from| model.exact.place(from)),
                 is_crossing: matches!(operation.kind, OperationKind::Cross { .. }),
+                is_edited: changes.iter().any(|change| change.operation == index),
             });
         }
         for number in kind.numbers() {

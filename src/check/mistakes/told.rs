@@ -31,7 +31,7 @@ macro_rules! mistakes {
         }),+];
 
         /// The sentences of the mistakes: a function for each pair, which fills its blanks.
-        pub(in crate::check) mod tell {
+        pub(crate) mod tell {
             use super::{Blank, Mistake, Told};
 
             $($($(#[$case])*
