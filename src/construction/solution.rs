@@ -27,8 +27,8 @@ pub struct Solution {
     pub motion: Motion,
     /// The plans of that motion.
     pub construction: Construction,
-    /// The same with the velocity plan turned, where the figure asks for it.
-    turned: Option<Box<Construction>>,
+    /// The same with the velocity plan turned, where the figure asks for it: see [`Solution::shown_construction`].
+    pub turned: Option<Box<Construction>>,
 }
 
 impl Solution {

@@ -147,7 +147,8 @@ impl<'a> SheetContext<'a> {
     }
 
     pub(super) fn construction(&self) -> &'a Construction {
-        match self.purpose == Purpose::Figure && self.surface.series != Series::Hand {
+        let is_for_hand = self.surface.series == Series::Hand || self.figure().worksheet;
+        match self.purpose == Purpose::Figure && !is_for_hand {
             true => self.solution.shown_construction(),
             // What a hand draws or measures on shows velocities as they are.
             false => &self.solution.construction,
