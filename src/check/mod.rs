@@ -112,6 +112,7 @@ pub use placed::TurnedPlan;
 pub use prepared::{Prepared, check};
 #[cfg(feature = "photo")]
 pub use proposed::{Found, Proposal, common_scale, proposed, proposed_form};
+#[doc(inline)]
 pub use redrawn::redrawn;
 #[cfg(feature = "cli")]
 pub(crate) use report::aligned;
@@ -119,4 +120,5 @@ pub use report::{Cause, ReportParts, ReportRow, report, report_parts};
 pub use result::{CheckResult, check_result, check_schema};
 pub use sensible::StatedScale;
 pub use student::Student;
+#[doc(inline)]
 pub use written::Precision;

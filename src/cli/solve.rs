@@ -51,6 +51,7 @@ pub(super) fn solve(
 ) -> Result<Solution, Failure> {
     let (mut scene, mechanism, pose) = read(source, most, mode)?;
     override_figure(&mut scene.figure);
+    scene.check_frame().map_err(|error| Failure::of_option("--frame", error))?;
     let order = order(&scene);
     source.checked(Solution::new(scene, mechanism, pose, order))
 }

@@ -259,6 +259,8 @@ messages! { "scene":
     panel_twice;
     step_from_one;
     steps_listed;
+    frame_is_link(link);
+    other_frame;
     ghosts_between(least, most, count);
     drawn_has_no_path(point);
     drawn_has_no_ghosts;
