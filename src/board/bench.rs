@@ -29,6 +29,8 @@ pub(super) struct Bench<'j> {
     /// Points and numbers of the hand's own that are not known to be right, with the entries that made them: those of one's own that they
     /// hang on are among them.
     unsure: BTreeMap<Thing, usize>,
+    /// All points and numbers of the hand's own, with the entries that made them.
+    made: BTreeMap<Thing, usize>,
     /// Things of the hand's own in which there are numbers or angles that somebody typed.
     typed: BTreeSet<Thing>,
     /// Things of the hand's own in which there are any numbers at all.
@@ -69,6 +71,7 @@ impl<'j> Bench<'j> {
             targets,
             uses: BTreeMap::new(),
             unsure: BTreeMap::new(),
+            made: BTreeMap::new(),
             typed: BTreeSet::new(),
             numbered: BTreeSet::new(),
             tainted: BTreeSet::new(),
@@ -258,7 +261,9 @@ impl<'j> Bench<'j> {
             };
             self.causes.instead_of(replaced, table).into_iter().find(|instead| is_right(instead).is_some())
         };
-        let found = suspects.iter().find_map(|suspect| mended(*suspect).map(|right| (*suspect, Some(right))));
+        // What has a name of its own may still be the wrong one here.
+        let all = suspects.iter().chain(hangs_on.iter().filter(|index| !suspects.contains(index)));
+        let found = all.copied().find_map(|suspect| mended(suspect).map(|right| (suspect, Some(right))));
         found.or_else(|| {
             let is_number = !matches!(entry, Entry::Line(_) | Entry::Join(_)) && self.has_right_direction(entry, made);
             suspects.first().filter(|_| is_number).map(|first| (*first, None))
@@ -274,7 +279,7 @@ impl<'j> Bench<'j> {
         let mut found = BTreeSet::new();
         let mut open = reads(entry, &self.own);
         while let Some(thing) = open.pop() {
-            let Some(&index) = self.unsure.get(&thing) else { continue };
+            let Some(&index) = self.made.get(&thing) else { continue };
             if found.insert(index)
                 && let Some((_, entry)) = self.done.iter().find(|(other, _)| *other == index)
             {
@@ -351,6 +356,7 @@ impl<'j> Bench<'j> {
         }
         if is_own {
             let things = things(made);
+            self.made.extend(things.iter().map(|thing| (thing.clone(), index)));
             if !is_sure {
                 self.unsure.extend(things.iter().map(|thing| (thing.clone(), index)));
             }

@@ -135,6 +135,13 @@ impl Slip<'_, '_> {
         {
             return Some(tell::vector_from_wrong_point(name.into(), laid.from.as_str().into(), from.as_str().into()));
         }
+        if let Some(start) = self.other_start(sheet, right - found).filter(|other| *other != laid.from) {
+            let is_known =
+                self.table.given.vectors(sheet).iter().any(|v| (found - v).norm() <= self.tolerance * v.norm());
+            if is_known {
+                return Some(tell::vector_from_wrong_point(name.into(), laid.from.as_str().into(), start.into()));
+            }
+        }
         let is_along = cross(found, meant).abs() <= 10.0 * self.tolerance * found.norm() * meant.norm();
         if !is_along || meant.norm() == 0.0 {
             return None;
@@ -155,6 +162,12 @@ impl Slip<'_, '_> {
         let formula = || self.formula(&laid.size, name, meant.norm() * sign);
         let factor = || self.factor(name, Some(&laid.size), ratio * meant.norm(), meant.norm());
         if laid.size.has_numbers() { factor().or_else(formula) } else { formula().or_else(factor) }
+    }
+
+    /// The point at a place, from which a vector should have been laid off.
+    fn other_start(&self, sheet: Sheet, at: Vector) -> Option<&str> {
+        let near = self.tolerance.max(1e-6) * self.table.given.size(sheet);
+        self.table.given.places(sheet).find(|(_, place)| (place - at).norm() <= near).map(|(name, _)| name)
     }
 
     /// The vector of the construction that leads to a point, and where it begins.
@@ -298,14 +311,18 @@ impl Slip<'_, '_> {
     fn is_of_crank(&self, name: &str, right: f64) -> bool {
         let mechanism = self.table.given.mechanism();
         let driven = mechanism.links().filter(|(id, _)| mechanism.is_known(*id));
-        let points = driven.flat_map(|(_, body)| &body.points).map(|point| mechanism.point_name(*point));
-        let mut points = points.collect::<Vec<_>>().into_iter();
-        points.any(|point| {
-            let is_size = ["v", "a", "a_n", "a_t"].iter().any(|head| {
-                let size = self.table.given.number(&format!("{head}({point})"));
-                size.is_some_and(|size| self.is_same(size, right.abs()))
-            });
-            is_size || super::given::image(point) == name
+        let mut pairs = driven.flat_map(|(_, body)| {
+            let names: Vec<&str> = body.points.iter().map(|point| mechanism.point_name(*point)).collect();
+            let others = names.clone();
+            names.into_iter().flat_map(move |a| others.clone().into_iter().map(move |b| [a, b])).collect::<Vec<_>>()
+        });
+        pairs.any(|[a, b]| {
+            let names = match a == b {
+                true => vec![format!("v({a})"), format!("a({a})")],
+                false => vec![format!("a_n({a}/{b})"), format!("a_t({a}/{b})")],
+            };
+            let sizes = names.iter().filter_map(|name| self.table.given.number(name));
+            sizes.into_iter().any(|size| self.is_same(size, right.abs())) || super::given::image(a) == name
         })
     }
 

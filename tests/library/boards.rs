@@ -198,7 +198,7 @@ fn no_file_ends_in_a_panic() {
     let solution = solved(&text).expect("a good scene");
     let judge = judge(&text);
     let own = own_drawing(&Given::new(&solution), &solution.scales());
-    let (mut random, mut read_and_judged) = (Random::new(1), 0);
+    let (mut random, mut read_and_judged) = (Random(1), 0);
     for _ in 0..300 {
         let mut bytes = own.clone().into_bytes();
         for _ in 0..=random.below(4) {

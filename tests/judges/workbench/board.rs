@@ -144,7 +144,9 @@ fn chip(name: &str) -> String {
 /// Where lines cross.
 fn crossing(bench: &mut Bench) -> [f64; 2] {
     let ask = json!({ "has": { "cross": "" }, "sheet": "velocity", "at": [0, 0], "reach": 1e4 });
-    let found = bench.value(&format!("kinegon.engine.board_snap(kinegon.app.solved.value.good, kinegon.history.now.value.drawing, {ask})"));
+    let found = bench.value(&format!(
+        "kinegon.engine.board_snap(kinegon.app.solved.value.good, kinegon.history.now.value.drawing, {ask})"
+    ));
     [0, 1].map(|k| found[0]["at"][k].as_f64().unwrap_or_else(|| panic!("no lines cross: {found}")))
 }
 
@@ -155,7 +157,8 @@ fn holds(bench: &mut Bench) {
     let pole = &sheets.iter().find(|sheet| sheet["sheet"] == "velocity").expect("a plan")["pole"];
     let scale = drawing(bench)["mu_v"].as_f64().expect("the drawing says its scale");
     let c = at(bench, "velocity", "c");
-    let [x, y] = [(c[0] - pole[0].as_f64().expect("a number")) * scale, (pole[1].as_f64().expect("a number") - c[1]) * scale];
+    let [x, y] =
+        [(c[0] - pole[0].as_f64().expect("a number")) * scale, (pole[1].as_f64().expect("a number") - c[1]) * scale];
     let [v_x, v_y] = velocity_of_c();
     assert!(libm::hypot(x - v_x, y - v_y) < 1e-6 * libm::hypot(v_x, v_y), "[{x}, {y}] for [{v_x}, {v_y}]");
     let judged = judged(bench);
@@ -191,7 +194,13 @@ fn a_velocity_plan_by_mouse() {
     bench.click("#board .strip .main");
     bench.settle();
     let known = known(&mut bench);
-    let left: Vec<&str> = known["things"].as_array().expect("things").iter().filter(|t| !t["entry"].is_null()).filter_map(|t| t["name"].as_str()).collect();
+    let left: Vec<&str> = known["things"]
+        .as_array()
+        .expect("things")
+        .iter()
+        .filter(|t| !t["entry"].is_null())
+        .filter_map(|t| t["name"].as_str())
+        .collect();
     assert_eq!(left, ["b", "r2"]);
     bench.assert_quiet();
 }
@@ -209,10 +218,13 @@ fn a_velocity_plan_by_finger() {
     bench.picture("board-finger");
     // Two fingers zoom and draw nothing.
     let before = drawing(&mut bench);
-    let window = |bench: &mut Bench| bench.number("JSON.parse(document.querySelector('#board .over[data-sheet=velocity]').dataset.window)[2]");
+    let window = |bench: &mut Bench| {
+        bench.number("JSON.parse(document.querySelector('#board .over[data-sheet=velocity]').dataset.window)[2]")
+    };
     let scale = window(&mut bench);
     let [x, y, ..] = bench.place("#board .over[data-sheet=velocity]");
-    let ways: Vec<[[f64; 2]; 2]> = (0..=8).map(|k| [[x - 30.0 - 4.0 * f64::from(k), y], [x + 30.0 + 4.0 * f64::from(k), y]]).collect();
+    let ways: Vec<[[f64; 2]; 2]> =
+        (0..=8).map(|k| [[x - 30.0 - 4.0 * f64::from(k), y], [x + 30.0 + 4.0 * f64::from(k), y]]).collect();
     bench.touch(&ways.iter().map(<[_; 2]>::as_slice).collect::<Vec<_>>());
     bench.settle();
     assert!(window(&mut bench) > 1.5 * scale);
@@ -328,7 +340,10 @@ fn the_first_wrong_operation_is_named_and_hints_are_counted() {
     bench.click("#board-check");
     bench.settle();
     assert_eq!(judged(&mut bench)["first_wrong"], 1);
-    assert_eq!(bench.value("[...document.querySelectorAll('#board .list li')].findIndex((e) => e.matches('.first'))"), 1);
+    assert_eq!(
+        bench.value("[...document.querySelectorAll('#board .list li')].findIndex((e) => e.matches('.first'))"),
+        1
+    );
     bench.picture("board-wrong");
     // It is kept.
     bench.value("new Promise((done) => setTimeout(done, 500))");
@@ -339,7 +354,10 @@ fn the_first_wrong_operation_is_named_and_hints_are_counted() {
     // As a student's exam nothing is told of it, and the file is handed in.
     let use_ = json!({ "mode": "exam", "snap": "all", "at_once": false });
     bench.value(&format!("kinegon.app.board.set({use_})"));
-    assert_eq!(bench.value("['#board-hint', '#board-check'].map((id) => document.querySelector(id).hidden)"), json!([true, true]));
+    assert_eq!(
+        bench.value("['#board-hint', '#board-check'].map((id) => document.querySelector(id).hidden)"),
+        json!([true, true])
+    );
     let (name, bytes) = bench.saved(|browser| browser.click("#board-hand-in"));
     assert!(name.ends_with("-drawing.json"), "{name}");
     assert_eq!(serde_json::from_slice::<Value>(&bytes).expect("JSON"), drawing(&mut bench));
