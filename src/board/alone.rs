@@ -118,6 +118,9 @@ impl Bench<'_> {
         if self.judge.given().place(sheet, name).is_none() {
             return if self.is_known_vector(entry, sheet) { Found::Right } else { Found::Own };
         }
+        if matches!(entry, Entry::Cross(Cross { of, .. }) if of.iter().any(|line| self.wrong_lines.contains(line))) {
+            return Found::Right;
+        }
         let start = match entry {
             Entry::LayOff(LayOff { from, .. }) => Some(from),
             _ => None,

@@ -7,8 +7,7 @@ use super::formula::Formula;
 use super::given::Given;
 use super::judge::{BoardError, Judge, JudgedDrawing, Verdict, standing};
 use super::reads::reads;
-use super::table::{DrawnLine, Made, Table, Thing, things};
-use crate::geometry::unit;
+use super::table::{Made, Table, Thing, things};
 use crate::message::Message;
 use crate::sheet::Sheet;
 use std::collections::{BTreeMap, BTreeSet};
@@ -33,6 +32,8 @@ pub(super) struct Bench<'j> {
     typed: BTreeSet<Thing>,
     /// Things of the hand's own in which there are any numbers at all.
     numbered: BTreeSet<Thing>,
+    /// Lines that are wrong themselves: where they cross says nothing of the crossing.
+    pub wrong_lines: BTreeSet<String>,
     /// Things that hang on something wrong.
     tainted: BTreeSet<Thing>,
     /// The entries that have been judged.
@@ -79,6 +80,7 @@ impl<'j> Bench<'j> {
             made: BTreeMap::new(),
             typed: BTreeSet::new(),
             numbered: BTreeSet::new(),
+            wrong_lines: BTreeSet::new(),
             tainted: BTreeSet::new(),
             done: Vec::new(),
             causes: Causes::new(judge),
@@ -112,10 +114,13 @@ impl<'j> Bench<'j> {
                 Found::Right | Found::Own => Verdict::Right,
                 Found::Wrong(what) => self.blamed(entry, &made, is_typed, what, &mut verdicts),
             };
+            if let (Verdict::Wrong(_), Made::Line(name, _)) = (&verdicts[index], &made) {
+                self.wrong_lines.insert(name.clone());
+            }
             if matches!(verdicts[index], Verdict::Wrong(_) | Verdict::Follows) {
                 self.tainted.extend(things.iter().cloned());
             }
-            self.put_right(index, entry, &made, is_typed, &verdicts[index]);
+            self.put_right(index, entry, &made, is_typed);
             self.own.put(made);
             self.done.push((index, entry));
         }
@@ -128,8 +133,7 @@ impl<'j> Bench<'j> {
     }
 
     /// Puts the right things down in all scenes.
-    fn put_right(&mut self, index: usize, entry: &Entry, made: &Made, is_typed: bool, verdict: &Verdict) {
-        let is_wrong = matches!(verdict, Verdict::Wrong(_));
+    fn put_right(&mut self, index: usize, entry: &Entry, made: &Made, is_typed: bool) {
         let meant = self.right_meaning(entry);
         let entry = meant.as_ref().unwrap_or(entry);
         let is_typed = is_typed || self.reads_typed(entry);
@@ -142,12 +146,6 @@ impl<'j> Bench<'j> {
                     let right = table.given.place(sheet, &name);
                     is_own |= right.is_none();
                     Made::Place(sheet, name, right.unwrap_or(at))
-                }
-                Made::Line(name, line) if is_wrong => {
-                    let targets = self.targets.get(&name).into_iter().flatten();
-                    let target = targets.filter_map(|target| table.given.place(line.sheet, target)).next();
-                    let along = target.and_then(|target| unit(target - line.at)).unwrap_or(line.along);
-                    Made::Line(name, DrawnLine { along, ..line })
                 }
                 Made::Numbers(all) => {
                     let right = all.into_iter().map(|(name, number)| {

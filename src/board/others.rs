@@ -4,10 +4,11 @@
 //! at rest stays at rest. A scene in which that comes out otherwise, as next to a dead centre, is not taken; then less is changed.
 
 use super::given::Given;
-use crate::Scene;
+use crate::construction::Solution;
 use crate::exercise::{Number, each_number};
 use crate::geometry::Random;
-use crate::sheet::Sheet;
+use crate::scene::{Scene, SizeLimit};
+use crate::sheet::{Order, Sheet};
 use indexmap::IndexMap;
 use serde_json::{Map, Value as Json, json};
 
@@ -49,11 +50,16 @@ pub(super) fn others(given: &Given) -> Vec<Given> {
                 return found;
             }
             let other = changed(&scene, way, &mut random).to_string();
-            let solved = Scene::read(&other).ok().and_then(|scene| crate::solve(&scene).ok());
-            found.extend(solved.map(|solution| Given::new(&solution)).filter(|other| is_like(given, other)));
+            found.extend(solved(&other).map(|solution| Given::new(&solution)).filter(|other| is_like(given, other)));
         }
     }
     found
+}
+
+fn solved(text: &str) -> Option<Solution> {
+    let scene = Scene::read(text).ok()?;
+    let (mechanism, pose) = crate::posed(&scene, SizeLimit::NUMBERS, None).ok()?;
+    Solution::new(scene, mechanism, pose, Order::Acceleration).ok()
 }
 
 /// Whether the same is at rest in both, and the plans have the same points.

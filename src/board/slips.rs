@@ -47,7 +47,7 @@ impl Slip<'_, '_> {
     }
 
     fn is_same(&self, a: f64, b: f64) -> bool {
-        (a - b).abs() <= self.tolerance * a.abs().max(b.abs())
+        a.is_finite() && (a - b).abs() <= self.tolerance * a.abs().max(b.abs())
     }
 
     /// A segment that was measured between other points, or read otherwise than it is.
@@ -91,7 +91,9 @@ impl Slip<'_, '_> {
 
     fn computed(&self, compute: &Compute, (name, found): &(String, f64), right: f64) -> Option<Told> {
         let is_rate = super::bench::turns(name);
-        if self.is_same(*found, -right) && (is_rate || name.starts_with("v_r") || name.starts_with("a_r")) {
+        let is_turned =
+            self.is_same(*found, -right) || (self.tolerance > 1e-3 && (found + right).abs() < 0.1 * right.abs());
+        if is_turned && (is_rate || name.starts_with("v_r") || name.starts_with("a_r")) {
             return Some(tell::wrong_sense(Blank::Symbol(name.clone())));
         }
         let factor = || self.factor(name, compute.by.as_ref(), *found, right);
@@ -162,7 +164,52 @@ impl Slip<'_, '_> {
         }
         let formula = || self.formula(&laid.size, name, meant.norm() * sign);
         let factor = || self.factor(name, Some(&laid.size), ratio * meant.norm(), meant.norm());
-        if laid.size.has_numbers() { factor().or_else(formula) } else { formula().or_else(factor) }
+        let told = if laid.size.has_numbers() { factor().or_else(formula) } else { formula().or_else(factor) };
+        told.or_else(|| self.normal(laid, sheet, name, found.norm(), meant.norm()))
+    }
+
+    /// A normal part whose size was worked out otherwise: with ω, the ω of another link, an absolute velocity, the diameter.
+    fn normal(&self, laid: &LayOff, sheet: Sheet, name: &str, found: f64, right: f64) -> Option<Told> {
+        let given = self.table.given;
+        let mechanism = given.mechanism();
+        let [from, to] = [Blank::from(laid.from.as_str()), Blank::from(name)];
+        let pairs = mechanism.links().flat_map(|(id, body)| {
+            let names: Vec<String> = body.points.iter().map(|p| mechanism.point_name(*p).to_owned()).collect();
+            let ends = names.clone();
+            names.into_iter().flat_map(move |a| ends.clone().into_iter().map(move |b| (id, a.clone(), b)))
+        });
+        for (id, a, b) in pairs.filter(|(_, a, b)| sheet == Sheet::Acceleration && a != b) {
+            let part = given.number(&format!("a_n({a}/{b})")).unwrap_or(0.0);
+            if !self.is_same(part, right) || part == 0.0 {
+                continue;
+            }
+            let length = given.number(&format!("L({a},{b})"))?;
+            let link = &mechanism.body(id).name;
+            let [rate, arm] = [format!("omega({link})"), format!("L({a},{b})")].map(Blank::Symbol);
+            let omega = given.number(&format!("omega({link})"))?.abs();
+            if self.is_same(found, omega * length) {
+                return Some(tell::omega_not_squared(from, to, rate, arm));
+            }
+            let absolute = [&a, &b].into_iter().find(|point| {
+                let velocity = given.number(&format!("v({point})")).unwrap_or(0.0);
+                self.is_same(found, velocity * velocity / length)
+            });
+            if let Some(point) = absolute {
+                let image = super::given::image(point);
+                return Some(tell::normal_from_absolute(from, to, rate, arm, image.as_str().into()));
+            }
+            let other = mechanism.links().map(|(_, body)| format!("omega({})", body.name)).find(|other| {
+                let omega = given.number(other).unwrap_or(0.0);
+                self.is_same(found, omega * omega * length)
+            });
+            if let Some(other) = other {
+                return Some(tell::omega_of_another_link(from, to, rate, arm, Blank::Symbol(other)));
+            }
+            if self.is_same(found, 2.0 * right) {
+                return Some(tell::diameter(from, to, rate, arm));
+            }
+        }
+        None
     }
 
     /// The point at a place, from which a vector should have been laid off.
@@ -419,7 +466,8 @@ fn lengths(table: &Table<'_>) -> Vec<(String, f64)> {
     let places: Vec<(&str, Vector)> = table.given.places(Sheet::Scheme).collect();
     let mut all = Vec::new();
     for (at, (from, start)) in places.iter().enumerate() {
-        all.extend(places[at + 1..].iter().map(|(to, end)| (format!("L({from},{to})"), (end - start).norm())));
+        let others = places[at + 1..].iter().map(|(to, end)| (format!("L({from},{to})"), (end - start).norm()));
+        all.extend(others.filter(|(_, length)| *length > 0.0));
     }
     all
 }

@@ -198,23 +198,46 @@ fn no_file_ends_in_a_panic() {
     let solution = solved(&text).expect("a good scene");
     let judge = judge(&text);
     let own = own_drawing(&Given::new(&solution), &solution.scales());
+    let whole: Value = serde_json::from_str(&own).expect("JSON");
+    let words: Vec<Value> = texts(&whole["did"]);
     let (mut random, mut read_and_judged) = (Random(1), 0);
-    for _ in 0..300 {
-        let mut bytes = own.clone().into_bytes();
-        for _ in 0..=random.below(4) {
-            let (at, from) = (random.below(bytes.len()), random.below(bytes.len()));
-            match random.below(3) {
-                0 => drop(bytes.remove(at)),
-                1 => bytes[at] = bytes[from],
-                _ => bytes.swap(at, from),
+    for _ in 0..400 {
+        let mut changed = whole.clone();
+        let did = changed["did"].as_array_mut().expect("a list");
+        for _ in 0..=random.below(3) {
+            let (at, other) = (random.below(did.len()), random.below(did.len()));
+            match random.below(4) {
+                0 => drop(did.remove(at)),
+                1 => did.swap(at, other),
+                2 => did.insert(at, json!({ "undo": random.below(4) })),
+                _ => {
+                    let entry = did[at].as_object_mut().expect("an entry");
+                    let key = entry.keys().nth(random.below(entry.len())).expect("a key").clone();
+                    entry[&key] = words[random.below(words.len())].clone();
+                }
             }
         }
-        let Ok(changed) = String::from_utf8(bytes) else { continue };
-        if let Ok(drawing) = HandDrawing::read(&changed) {
-            read_and_judged += usize::from(judge.judge(&drawing).is_ok());
+        // The text itself, broken off or with letters exchanged.
+        let text = changed.to_string();
+        for text in
+            [text.clone(), text.chars().take(random.below(text.len())).collect::<String>(), text.replacen('[', "{", 3)]
+        {
+            if let Ok(drawing) = HandDrawing::read(&text) {
+                read_and_judged += usize::from(judge.judge(&drawing).is_ok());
+            }
         }
     }
-    assert!(read_and_judged > 10, "only {read_and_judged} could be judged");
+    assert!(read_and_judged > 40, "only {read_and_judged} could be judged");
+}
+
+/// All texts and lists of texts of a drawing.
+fn texts(value: &Value) -> Vec<Value> {
+    match value {
+        Value::String(_) => vec![value.clone()],
+        Value::Array(all) => std::iter::once(value.clone()).chain(all.iter().flat_map(texts)).collect(),
+        Value::Object(all) => std::iter::once(value.clone()).chain(all.values().flat_map(texts)).collect(),
+        _ => Vec::new(),
+    }
 }
 
 #[test]
