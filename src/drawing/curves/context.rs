@@ -98,7 +98,7 @@ impl<'a> CurveContext<'a> {
 
     /// The symbol of a quantity.
     pub fn symbol(&self, asked: &QuantityRequest) -> String {
-        asked.symbol(&self.path.mechanism, self.words.notation, &|name| self.shown(name))
+        asked.symbol(&self.path.mechanism, &self.words.notation, &|name| self.shown(name))
     }
 
     /// The vertical lines at marked values of the drive, with their pens.
