@@ -2,7 +2,7 @@
 //! must go through the point for which it is used.
 
 use super::bench::{Bench, Found};
-use super::file::{Compute, Entry, LayOff, Line, Measure, Solve};
+use super::file::{Compute, Cross, Entry, LayOff, Line, Measure, Solve};
 use super::formula::Formula;
 use super::says;
 use super::table::{Made, Table};
@@ -41,7 +41,7 @@ impl Bench<'_> {
                 Held::Not(point) => Found::Wrong(says::line_misses(point)),
             },
             (Entry::Mark(_), Made::Place(sheet, name, at)) if given.place(*sheet, name).is_some() => {
-                match self.is_near_expected(*sheet, name, *at) {
+                match self.is_at_crossing(*sheet, name, *at) || self.is_near_expected(*sheet, name, *at) {
                     true => Found::Right,
                     false => Found::Wrong(says::point_elsewhere(name)),
                 }
@@ -125,7 +125,12 @@ impl Bench<'_> {
         let is_right = self.in_all(entry, is_typed, |table, made| match (made, table.given.place(sheet, name)) {
             (Made::Place(_, _, at), Some(right)) => {
                 let run = start.and_then(|from| table.place(sheet, from)).map_or(0.0, |from| (at - from).norm());
-                let allowed = if is_typed { self.typed_reach(sheet, run) } else { 0.0 };
+                let allowed = match entry {
+                    _ if !is_typed => 0.0,
+                    // Lines that typed numbers have moved cross farther away.
+                    Entry::Cross(_) => self.typed_reach(sheet, right.norm()) + self.reach(sheet, name),
+                    _ => self.typed_reach(sheet, run),
+                };
                 (at - right).norm() <= allowed + SAME * table.given.size(sheet)
             }
             _ => false,
@@ -277,10 +282,30 @@ impl Bench<'_> {
         }
     }
 
+    /// Whether a point that was put down is a right crossing of two lines of the hand's.
+    fn is_at_crossing(&self, sheet: Sheet, name: &str, at: Vector) -> bool {
+        let near = 3.0 * std::f64::consts::SQRT_2 * self.judge.tolerance().mm * self.own.scale(sheet);
+        let lines: Vec<&str> = self.own.lines().filter(|(_, line)| line.sheet == sheet).map(|(name, _)| name).collect();
+        let mut pairs =
+            lines.iter().enumerate().flat_map(|(index, one)| lines[index + 1..].iter().map(move |two| [one, two]));
+        pairs.any(|of| {
+            let entry =
+                Entry::Cross(Cross { cross: name.to_owned(), of: of.map(|line| (*line).to_owned()), drawn: None });
+            let is_there =
+                matches!(self.own.carry_out(&entry), Ok(Made::Place(_, _, found)) if (found - at).norm() <= near);
+            is_there && matches!(self.found_place(&entry, sheet, name, at, self.reads_typed(&entry)), Found::Right)
+        })
+    }
+
+    /// How far from its place a point may be that a hand has found, in units of its sheet.
+    fn reach(&self, sheet: Sheet, name: &str) -> f64 {
+        self.causes.reach(sheet, name, &self.own)
+    }
+
     /// Whether a point that was put down, or laid off with a typed number, is where the hand's own things lead, or where it is in the end,
     /// as far as a hand can tell.
     fn is_near_expected(&self, sheet: Sheet, name: &str, at: Vector) -> bool {
-        let reach = self.causes.reach(sheet, name, self.own.scale(sheet)) * self.own.scale(sheet);
+        let reach = self.reach(sheet, name);
         let near = |place: Vector| (at - place).norm() <= reach;
         self.judge.given().place(sheet, name).is_some_and(near)
             || self.causes.expected_place(&self.own, sheet, name).is_some_and(near)
@@ -293,7 +318,7 @@ impl Bench<'_> {
         let right = self.judge.given().number(name);
         right.is_some_and(typed)
             || self.causes.expected_number(&self.own, name).is_some_and(typed)
-            || right.is_some_and(|right| near(right, self.causes.band(name)))
+            || right.is_some_and(|right| near(right, 1.5 * self.causes.band(name, &self.own)))
     }
 }
 

@@ -9,7 +9,7 @@ use crate::check::replayed::{Replayed, Touched};
 use crate::construction::{NumberId, OperationKind, Values};
 use crate::geometry::{Vector, cross};
 use crate::quantity::{QuantityRequest, measured_names, readable_names};
-use crate::sheet::Sheet;
+use crate::sheet::{PerSheet, Sheet};
 use std::cell::OnceCell;
 
 /// A mistake of the catalogue that does the same.
@@ -148,28 +148,31 @@ impl<'j> Causes<'j> {
             for number in operation.kind.numbers() {
                 let name = construction.number_name(given.mechanism(), *number);
                 let found = own.numbers().find(|(own, _)| *own == name);
-                // What is measured stays: the hand's own places are there.
-                if let (Some((_, found)), OperationKind::Solve { .. } | OperationKind::Compute { .. }) =
-                    (found, &operation.kind)
-                {
-                    values.put_number(*number, found);
+                match (found, &operation.kind) {
+                    // What is measured has the sign that the sheet shows.
+                    (Some((_, found)), OperationKind::Measure { .. }) => {
+                        values.put_number(*number, found.abs() * values.number(*number).signum());
+                    }
+                    (Some((_, found)), _) => values.put_number(*number, found),
+                    (None, _) => {}
                 }
             }
         }
         values
     }
 
-    /// How far from its place a point may be that a hand has found, in millimetres.
-    pub fn reach(&self, sheet: Sheet, name: &str, scale: f64) -> f64 {
+    /// How far from its place a point may be that a hand has found on its sheets, in units of the sheet.
+    pub fn reach(&self, sheet: Sheet, name: &str, own: &Table<'_>) -> f64 {
         let segment = sheet.order().map(|order| sheet.segment_name(order.pole(), name));
-        3.0 * self.judge.tolerance().mm + segment.map_or(0.0, |segment| self.band(&segment) / scale)
+        let free = 3.0 * self.judge.tolerance().mm * own.scale(sheet);
+        free + segment.map_or(0.0, |segment| self.band(&segment, own))
     }
 
-    /// The band of honest drawings of a quantity; 0 where a hand does not read it.
-    pub fn band(&self, name: &str) -> f64 {
+    /// The band of honest drawings of a quantity on the hand's sheets; 0 where a hand does not read it.
+    pub fn band(&self, name: &str, own: &Table<'_>) -> f64 {
         let given = self.judge.given();
         let Ok(asked) = QuantityRequest::new(name, given.mechanism()) else { return 0.0 };
-        let scales = self.judge.usual_scales().map(Some);
+        let scales = PerSheet::from_fn(|sheet| Some(own.scale(sheet)));
         let pencil = crate::quantity::pencil(&given.solution, &scales, *self.judge.tolerance(), vec![asked]);
         pencil.band(name).map_or(0.0, |band| if band.band.is_finite() { band.band } else { 0.0 })
     }
@@ -194,8 +197,10 @@ impl Seen<'_, '_> {
         let given = self.table.given;
         let is_same = match (self.alone, touched) {
             (Made::Line(_, line), Touched::Line(sheet, at, along)) => {
-                let small = 1e-6 * given.size(line.sheet);
-                *sheet == line.sheet && line.distance(*at).abs() <= small && cross(line.along, *along).abs() < 1e-6
+                let small = self.tolerance * given.size(line.sheet);
+                *sheet == line.sheet
+                    && line.distance(*at).abs() <= small
+                    && cross(line.along, *along).abs() <= self.tolerance
             }
             // A line that goes through where a mistake puts a point, and not where the point is.
             (Made::Line(_, line), Touched::Place { place, at, right, is_crossing: true, .. }) => {

@@ -1,12 +1,13 @@
 //! A drawing as a board on a screen shows it: its sheets, what can be pointed at, the numbers beside them, names to choose from.
 //! Places are in millimetres of a sheet from its upper left corner, y down, as in its picture.
 
-use super::bench::things;
 use super::file::{Entry, HandDrawing, LayOff};
 use super::judge::{BoardError, Judge, JudgedDrawing, Verdict};
-use super::table::{DrawnLine, Made, Table};
+use super::reads::reads;
+use super::table::{DrawnLine, Made, Table, things};
 use crate::drawing::{
-    Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, SheetLabels, hand_sheet, hand_sheets,
+    Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, RichText, SheetLabels, hand_sheet,
+    hand_sheets,
 };
 use crate::format::html_text;
 use crate::geometry::Vector;
@@ -152,6 +153,8 @@ pub struct BoardEntry {
     pub sheet: Option<Sheet>,
     /// Whether it has not been taken back.
     pub stands: bool,
+    /// The entries whose results it uses.
+    pub needs: Vec<usize>,
 }
 
 /// An entry that cannot be carried out.
@@ -295,7 +298,7 @@ impl Screen {
                     sheet: *sheet,
                     kind: ThingKind::Line,
                     name: name.to_owned(),
-                    label: html_text(&crate::drawing::RichText::math(&crate::construction::display(name))),
+                    label: html_text(&RichText::math(&crate::construction::display(name))),
                     words: self.words.language.says(&super::says::drawn_line(name)),
                     path: path(&ends),
                     at: middle(&ends),
@@ -309,7 +312,7 @@ impl Screen {
                 BoardThing {
                     sheet: Sheet::Scheme,
                     kind: reference.kind,
-                    label: html_text(&crate::drawing::RichText::plain(&reference.name.replace(',', ""))),
+                    label: html_text(&RichText::plain(&reference.name.replace(',', ""))),
                     words: self.words.language.says(&reference.words),
                     name: reference.name,
                     path: path(&ends),
@@ -364,7 +367,7 @@ impl Screen {
     pub(super) fn point_label(&self, sheet: Sheet, name: &str, labels: &SheetLabels<'_>) -> String {
         match self.judge.given().construction().plan_on(sheet) {
             Some(plan) => html_text(&labels.plan_point(plan, name)),
-            None => html_text(&crate::drawing::RichText::math(&crate::construction::display(name))),
+            None => html_text(&RichText::math(&crate::construction::display(name))),
         }
     }
 
@@ -403,9 +406,10 @@ impl Screen {
         let stands = drawing.standing();
         let mut table = Table::new(self.judge.given(), self.judge.scales(drawing));
         let language = self.words.language;
+        let mut makers = BTreeMap::new();
         let told = |(index, entry): (usize, &Entry)| {
             let mut words = language.says(&entry.told(&self.judge));
-            let mut sheet = None;
+            let (mut sheet, mut needs) = (None, Vec::new());
             let is_carried_out = stands[index] && refused.is_none_or(|refused| index < refused.entry);
             if let (true, Ok(made)) = (is_carried_out, table.carry_out_by_hand(entry)) {
                 match &made {
@@ -416,9 +420,13 @@ impl Screen {
                         words = format!("{words}: {}", values.join("; "));
                     }
                 }
+                needs.extend(reads(entry, &table).iter().filter_map(|thing| makers.get(thing).copied()));
+                needs.sort_unstable();
+                needs.dedup();
+                makers.extend(things(&made).into_iter().map(|thing| (thing, index)));
                 table.put(made);
             }
-            BoardEntry { words, sheet, stands: stands[index] }
+            BoardEntry { words, sheet, stands: stands[index], needs }
         };
         drawing.did.iter().enumerate().map(told).collect()
     }
@@ -521,10 +529,14 @@ struct Numbers<'s> {
 impl Numbers<'_> {
     fn number(&self, name: &str, number: f64, entry: Option<usize>) -> BoardNumber {
         let given = self.screen.judge.given();
-        let asked = QuantityRequest::new(name, given.mechanism());
+        // A name of somebody's own is a stranger's text.
+        let label = match QuantityRequest::new(name, given.mechanism()) {
+            Ok(asked) => self.labels.quantity(&asked),
+            Err(_) => RichText::verbatim(name.to_owned()),
+        };
         BoardNumber {
             name: name.to_owned(),
-            label: asked.map_or_else(|_| name.to_owned(), |asked| html_text(&self.labels.quantity(&asked))),
+            label: html_text(&label),
             value: self.screen.words.write(number, NUMBERS),
             unit: self.screen.unit(name),
             entry,

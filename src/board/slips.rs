@@ -1,7 +1,8 @@
 //! Slips within one operation: another number in its formula, a factor, a sign, another point, a misread ruler. Each is undone, and where
 //! the operation is right then, it was that.
 
-use super::file::{Compute, Direction, Entry, LayOff, Like, Measure, Solve};
+use super::direction::Direction;
+use super::file::{Compute, Entry, LayOff, Like, Measure, Solve};
 use super::formula::Formula;
 use super::table::{Made, Table};
 use crate::check::Told;
@@ -113,7 +114,7 @@ impl Slip<'_, '_> {
                 let mut number = |own: &str| match unknown(own) {
                     _ if own == exchanged => Ok(by),
                     Some(number) => Ok(number),
-                    None => self.table.formula_number(own),
+                    None => self.table.number(own),
                 };
                 let [a, b] = [left.value(&mut number).ok()?, other.value(&mut number).ok()?];
                 Some((a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE))
@@ -134,6 +135,13 @@ impl Slip<'_, '_> {
             && (found - vector).norm() <= self.tolerance * vector.norm()
         {
             return Some(tell::vector_from_wrong_point(name.into(), laid.from.as_str().into(), from.as_str().into()));
+        }
+        if let Some(start) = self.other_start(sheet, right - found).filter(|other| *other != laid.from) {
+            let is_known =
+                self.table.given.vectors(sheet).iter().any(|v| (found - v).norm() <= self.tolerance * v.norm());
+            if is_known {
+                return Some(tell::vector_from_wrong_point(name.into(), laid.from.as_str().into(), start.into()));
+            }
         }
         let is_along = cross(found, meant).abs() <= 10.0 * self.tolerance * found.norm() * meant.norm();
         if !is_along || meant.norm() == 0.0 {
@@ -157,6 +165,12 @@ impl Slip<'_, '_> {
         if laid.size.has_numbers() { factor().or_else(formula) } else { formula().or_else(factor) }
     }
 
+    /// The point at a place, from which a vector should have been laid off.
+    fn other_start(&self, sheet: Sheet, at: Vector) -> Option<&str> {
+        let near = self.tolerance.max(1e-6) * self.table.given.size(sheet);
+        self.table.given.places(sheet).find(|(_, place)| (place - at).norm() <= near).map(|(name, _)| name)
+    }
+
     /// The vector of the construction that leads to a point, and where it begins.
     fn vector_to(&self, sheet: Sheet, name: &str) -> Option<(String, Vector)> {
         let construction = self.table.given.construction();
@@ -168,7 +182,7 @@ impl Slip<'_, '_> {
     /// A formula in which one number stands for another: it is exchanged until the formula is right.
     fn formula(&self, formula: &Formula, name: &str, right: f64) -> Option<Told> {
         let value = |exchanged: &str, by: f64| {
-            formula.value(&mut |own| if own == exchanged { Ok(by) } else { self.table.formula_number(own) }).ok()
+            formula.value(&mut |own| if own == exchanged { Ok(by) } else { self.table.number(own) }).ok()
         };
         let is_right =
             |exchanged: &str, by: f64| value(exchanged, by).is_some_and(|x| self.is_same(x.abs(), right.abs()));
@@ -179,7 +193,7 @@ impl Slip<'_, '_> {
         let omegas: Vec<String> = mechanism.links().map(|(_, body)| format!("omega({})", body.name)).collect();
         for own in formula.names() {
             let Some(quantity) = QuantityName::parse(own) else { continue };
-            let Ok(now) = self.table.formula_number(own) else { continue };
+            let Ok(now) = self.table.number(own) else { continue };
             match quantity.head {
                 Head::Omega => {
                     if is_right(own, now * now) {
@@ -298,14 +312,18 @@ impl Slip<'_, '_> {
     fn is_of_crank(&self, name: &str, right: f64) -> bool {
         let mechanism = self.table.given.mechanism();
         let driven = mechanism.links().filter(|(id, _)| mechanism.is_known(*id));
-        let points = driven.flat_map(|(_, body)| &body.points).map(|point| mechanism.point_name(*point));
-        let mut points = points.collect::<Vec<_>>().into_iter();
-        points.any(|point| {
-            let is_size = ["v", "a", "a_n", "a_t"].iter().any(|head| {
-                let size = self.table.given.number(&format!("{head}({point})"));
-                size.is_some_and(|size| self.is_same(size, right.abs()))
-            });
-            is_size || super::given::image(point) == name
+        let mut pairs = driven.flat_map(|(_, body)| {
+            let names: Vec<&str> = body.points.iter().map(|point| mechanism.point_name(*point)).collect();
+            let others = names.clone();
+            names.into_iter().flat_map(move |a| others.clone().into_iter().map(move |b| [a, b])).collect::<Vec<_>>()
+        });
+        pairs.any(|[a, b]| {
+            let names = match a == b {
+                true => vec![format!("v({a})"), format!("a({a})")],
+                false => vec![format!("a_n({a}/{b})"), format!("a_t({a}/{b})")],
+            };
+            let sizes = names.iter().filter_map(|name| self.table.given.number(name));
+            sizes.into_iter().any(|size| self.is_same(size, right.abs())) || super::given::image(a) == name
         })
     }
 

@@ -102,6 +102,8 @@ impl Press<'_> {
         if is("line") {
             match self.direction_is_there() {
                 false => self.references(),
+                // On the scheme a link is pressed for another direction; a line is drawn there through a point that is pressed itself.
+                true if self.pressed.sheet == Sheet::Scheme && self.near(Sheet::Scheme).is_empty() => self.references(),
                 true => self.through(),
             }
         } else if is("lay_off") {
@@ -123,6 +125,8 @@ impl Press<'_> {
             }
         } else if is("mark") {
             self.free_mark()
+        } else if is("rub") {
+            self.drawn_things()
         } else {
             Vec::new()
         }
@@ -323,6 +327,28 @@ impl Press<'_> {
             }
         }
         caught
+    }
+
+    /// What was drawn near the press: points before lines, which many points lie on.
+    fn drawn_things(&self) -> Vec<Caught> {
+        let sheet = self.pressed.sheet;
+        let caught = |(distance, name, at, words, ghost): (f64, &str, [f64; 2], String, Ghost)| {
+            let mut entry = self.pressed.has.clone();
+            entry.insert("rub".to_owned(), json!(name));
+            (distance, Snapped { entry, is_whole: true, words, at, ghost: vec![ghost] })
+        };
+        let is_drawn = |name: &str| self.screen.judge.given().there().all(|(on, own, _)| (on, own) != (sheet, name));
+        let points = self.table.places(sheet).filter(|(name, _)| is_drawn(name)).map(|(name, place)| {
+            let at = self.paper.at(place);
+            (0.5 * self.distance(at), name, at, name.to_owned(), dot(at))
+        });
+        let lines = self.table.lines().filter(|(_, line)| line.sheet == sheet).map(|(name, line)| {
+            let ends = across(line, &self.paper);
+            let (distance, at) = self.from_segment(&ends);
+            let words = self.screen.language().says(&super::says::drawn_line(name));
+            (distance, name, at, words, Ghost { kind: GhostKind::Line, path: path(&ends) })
+        });
+        points.chain(lines).filter(|(distance, ..)| *distance <= self.pressed.reach).map(caught).collect()
     }
 
     fn free_mark(&self) -> Vec<Caught> {

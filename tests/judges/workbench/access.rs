@@ -7,8 +7,17 @@ use support::{files, survey};
 const RULES: [&str; 3] =
     ["{}", "{ runOnly: ['color-contrast'] }", "{ rules: { 'color-contrast': { enabled: false } } }"];
 
+/// The script of axe-core; none, and said so, where it is not installed.
+pub fn axe() -> Option<String> {
+    let script = std::fs::read_to_string(files::path("web/node_modules/axe-core/axe.min.js")).ok();
+    if script.is_none() {
+        eprintln!("SKIPPED: axe-core is not installed; npm ci in web/ does");
+    }
+    script
+}
+
 /// What breaks some of the rules.
-fn run(rules: &str) -> String {
+pub fn run(rules: &str) -> String {
     format!(
         "axe.run(document, {{ ...{rules}, resultTypes: ['violations'] }}).then(({{ violations }}) => \
          violations.map((v) => `${{v.id}}: ${{v.nodes.map((n) => n.target.join(' ')).slice(0, 4).join(', ')}}`))"
@@ -17,10 +26,7 @@ fn run(rules: &str) -> String {
 
 #[test]
 fn axe_finds_nothing() {
-    let Ok(axe) = std::fs::read_to_string(files::path("web/node_modules/axe-core/axe.min.js")) else {
-        eprintln!("SKIPPED: axe-core is not installed; npm ci in web/ does");
-        return;
-    };
+    let Some(axe) = axe() else { return };
     let Some(mut bench) = Bench::open("axe") else { return };
     bench.value(&axe);
     let mut found = Vec::new();

@@ -4,6 +4,7 @@
 
 mod access;
 mod bench;
+mod board;
 mod build;
 mod build_hands;
 mod built;

@@ -4,9 +4,10 @@ import { element } from "../dom/element.ts";
 import { icon } from "../dom/icon.ts";
 import { radios } from "../dom/radios.ts";
 import { button, worded } from "../dom/worded.ts";
+import { SHEETS } from "../engine/types.ts";
 import { askedFor, textOf } from "../files/open.ts";
 import { name } from "../layout/say.ts";
-import { called, type Sheet } from "../sheets.ts";
+import { called, PLANS, type Sheet } from "../sheets.ts";
 import { language } from "../words.ts";
 import { drawingOf } from "./file.ts";
 import { hands } from "./hands.ts";
@@ -22,7 +23,7 @@ import { say, type Saying } from "./words.ts";
 
 /** Narrower than this one sheet is shown at a time. */
 const NARROW = "(max-width: 959.9px)";
-const SHEETS: Sheet[] = ["scheme", "velocity", "acceleration"];
+const ALL = SHEETS.map(({ key }) => key);
 
 /** Shows the board as `app.drawing` says; nothing of it is there before. */
 export function board(app: App): void {
@@ -38,7 +39,7 @@ export function board(app: App): void {
 function builds(app: App): { show(is: boolean): void } {
   const own = model(app);
   const told = judging(app, own);
-  const stages = SHEETS.map((sheet) => stage(app, own, sheet));
+  const stages = ALL.map((sheet) => stage(app, own, told, sheet));
   const back = (): void => (stages.find(({ sheet }) => sheet === own.alone.value) ?? stages[1])?.over.focus({ preventScroll: true });
   const below = strip(own, back);
   const sheets = element("div", { class: "sheets" }, ...stages.map(({ root }) => root));
@@ -56,8 +57,13 @@ function builds(app: App): { show(is: boolean): void } {
     // The sheets are there now, and have the keys.
     if (!root.hidden && !root.contains(document.activeElement)) back();
   });
+  own.shown.on((shown) => shown?.kind === "hint" && own.alone.value !== "" && own.alone.set(shown.sheet));
+  // Who looks on has no tools.
+  const looks = (): void => void root.classList.toggle("looking", own.until.value !== null || own.looked.value !== null);
+  own.until.on(looks);
+  own.looked.on(looks);
   const narrow = window.matchMedia(NARROW);
-  const fits = (): void => own.alone.set(narrow.matches ? own.alone.value || "velocity" : "");
+  const fits = (): void => own.alone.set(narrow.matches ? own.alone.value || PLANS[0]! : "");
   narrow.addEventListener("change", fits);
 
   root.addEventListener("keydown", (event) => {
@@ -123,8 +129,13 @@ function head(app: App, own: Model, told: ReturnType<typeof judging>, drawer: HT
   own.canRedo.on((can) => (redo.disabled = !can));
   const given = element("p", { class: "given" });
   own.known.on((known) => (given.innerHTML = known?.given.map(({ label, value, unit }) => `<span>${label} = ${value} ${unit}</span>`).join(" ") ?? ""));
-  const hint = button(() => say("hint"), () => void told.hint(), { id: "board-hint" });
-  const check = button(() => say("check"), told.check, { id: "board-check" });
+  const asks = (saying: Saying, pictogram: string, press: () => void, id: string): HTMLButtonElement => {
+    const made = tool(saying, pictogram, press, id);
+    made.append(worded(element("span", { class: "text" }), () => say(saying)));
+    return made;
+  };
+  const hint = asks("hint", "help", () => void told.hint(), "board-hint");
+  const check = asks("check", "check", told.check, "board-check");
   const handIn = button(() => say("hand_in"), () => void told.handIn(), { id: "board-hand-in", class: "main" });
   const openList = tool("list", "steps", () => openList.setAttribute("aria-pressed", String(drawer.classList.toggle("open"))), "board-open-list");
   openList.setAttribute("aria-pressed", "false");
@@ -141,7 +152,7 @@ function head(app: App, own: Model, told: ReturnType<typeof judging>, drawer: HT
 
 /** Which sheets are seen. */
 function sheetSwitch(own: Model): HTMLElement {
-  const values: (Sheet | "")[] = ["", ...SHEETS];
+  const values: (Sheet | "")[] = ["", ...ALL];
   const buttons = values.map((sheet) => worded(element("button", { type: "button", role: "radio", "data-value": sheet, onclick: () => own.alone.set(sheet) }), () => (sheet === "" ? say("all_sheets") : called(sheet, "short"))));
   const root = worded(element("div", { class: "switch which", role: "radiogroup" }, ...buttons), () => say("sheets"), "aria-label");
   radios(root);
@@ -170,6 +181,7 @@ function files(app: App, own: Model, told: ReturnType<typeof judging>): HTMLElem
     if (drawingOf(text) === null) own.says.set({ text: say("no_drawing", { name: file!.name }), isBad: true });
     else await own.open(text);
   }));
+  const sheets = act("sheets_pdf", () => void told.sheets());
   const into = act("into_form", () => void told.handIn());
   const again = act("replay", () => own.until.set(own.until.value === null ? 0 : null));
   const right = act("own_construction", () => {
@@ -182,7 +194,7 @@ function files(app: App, own: Model, told: ReturnType<typeof judging>): HTMLElem
   own.looked.on((text) => (right.textContent = say(text === null ? "own_construction" : "own_drawing")));
   const before = act("put_back", () => void own.open(own.replaced.value ?? ""));
   own.replaced.on((text) => (before.hidden = text === null));
-  menu.append(save, open, before, into, again, right);
+  menu.append(save, open, before, sheets, into, again, right);
   const show = (): void => {
     right.hidden = app.student.value && own.use().mode !== "demonstration";
     again.hidden = own.use().mode === "exam";

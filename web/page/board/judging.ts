@@ -6,7 +6,7 @@ import { newest } from "../state/newest.ts";
 import { signal, type Signal } from "../state/signal.ts";
 import { standing } from "./file.ts";
 import type { Model } from "./model.ts";
-import type { BoardJudged } from "./types.ts";
+import type { BoardJudged, JudgedEntry } from "./types.ts";
 import { say } from "./words.ts";
 
 export interface Judging {
@@ -16,12 +16,19 @@ export interface Judging {
   hint(): Promise<void>;
   /** The drawing as a file. */
   save(): void;
+  /** Its plans on sheets of paper, as PDF. */
+  sheets(): Promise<void>;
   /** Its values into the form of the check, and in an exam the file. */
   handIn(): Promise<void>;
 }
 
 /** Stages of a hint: where, by which relation, the operation itself. */
 const STAGES = 3;
+
+/** What is wrong with an entry, what was probably done, and what it should be. */
+export function whyOf({ says, done, should }: JudgedEntry): string[] {
+  return [says, done, should].filter((words): words is string => words != null && words !== "");
+}
 
 export function judging(app: App, model: Model): Judging {
   const verdicts = signal<BoardJudged | null>(null);
@@ -38,8 +45,8 @@ export function judging(app: App, model: Model): Judging {
       const judged = await app.engine.board_judge(app.solved.value.good, of);
       if (of !== seen()) return;
       verdicts.set(judged);
-      const wrong = judged.first_wrong === null ? undefined : judged.entries[judged.first_wrong];
-      if (wrong !== undefined) tell([say("first_wrong", { number: standing(model.drawing().did).indexOf(judged.first_wrong!) + 1 }), wrong.words, wrong.hint].filter(Boolean).join(" "), true);
+      const wrong = judged.first_wrong == null ? undefined : judged.entries[judged.first_wrong];
+      if (wrong !== undefined) tell([say("first_wrong", { number: standing(model.drawing().did).indexOf(wrong.index) + 1 }), ...whyOf(wrong)].join(" "), true);
       else if (isAsked) tell(judged.is_complete ? say("all_right") : say("right_so_far"));
     } catch (refused) {
       tell(said(refused), true);
@@ -72,13 +79,21 @@ export function judging(app: App, model: Model): Judging {
         model.head({ hints: (model.drawing().hints ?? 0) + 1 });
         before = seen();
         stage = at;
-        if (hint.sheet !== null && hint.ghost.length > 0) model.shown.set({ sheet: hint.sheet, ghost: hint.ghost, kind: "hint" });
+        if (hint.sheet != null && hint.ghost.length > 0) model.shown.set({ sheet: hint.sheet, ghost: hint.ghost, kind: "hint" });
         tell(hint.words);
       } catch (refused) {
         tell(said(refused), true);
       }
     },
     save,
+    async sheets() {
+      try {
+        const bytes = await app.engine.board_sheets(app.solved.value.good, seen(), model.drawing().exercise ?? "");
+        saveFile(`${name()}.pdf`, bytes, "application/pdf");
+      } catch (refused) {
+        tell(said(refused), true);
+      }
+    },
     async handIn() {
       try {
         const form = await app.engine.board_form(app.solved.value.good, seen());

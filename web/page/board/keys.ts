@@ -1,6 +1,6 @@
 /** Keys on the sheets: letters choose tools, N goes from one possible thing to the next, arrows move a cross, Enter is a press. */
 import type { App } from "../app.ts";
-import { called, type Sheet } from "../sheets.ts";
+import { called, PLANS, type Sheet } from "../sheets.ts";
 import { snaps } from "./hands.ts";
 import type { Model } from "./model.ts";
 import type { Place, Stage } from "./stage.ts";
@@ -22,7 +22,7 @@ export function keys(app: App, model: Model, stages: readonly Stage[], toStrip: 
   /** What N goes through, with the entry for which it was asked. */
   let round: { of: string; all: { stage: Stage; snap: Snap }[]; at: number } = { of: "", all: [], at: -1 };
   /** The plan on which keys were last. */
-  let plan: Sheet = "velocity";
+  let plan: Sheet = PLANS[0]!;
 
   const middle = ({ view }: Stage): Place => view.toSheet([view.size.width / 2, view.size.height / 2]);
 

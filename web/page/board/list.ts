@@ -4,11 +4,11 @@ import { worded } from "../dom/worded.ts";
 import { language } from "../words.ts";
 import { standing } from "./file.ts";
 import type { Model } from "./model.ts";
-import type { Judging } from "./judging.ts";
-import type { EntryVerdict } from "./types.ts";
+import { whyOf, type Judging } from "./judging.ts";
+import type { JudgedEntry } from "./types.ts";
 import { say } from "./words.ts";
 
-const SIGNS: Record<EntryVerdict["verdict"], string> = { right: "✓", wrong: "✗", following: "↳", unused: "–", open: "?" };
+const SIGNS: Record<JudgedEntry["verdict"], string> = { right: "✓", wrong: "✗", follows: "↳", unused: "–", undone: "" };
 
 export function list(model: Model, judging: Judging): HTMLElement {
   const items = element("ol");
@@ -19,7 +19,7 @@ export function list(model: Model, judging: Judging): HTMLElement {
   function choose(index: number): void {
     chosen = chosen === index ? -1 : index;
     const thing = model.known.value?.things.find(({ entry }) => entry === chosen);
-    model.shown.set(thing === undefined ? null : { sheet: thing.sheet, ghost: [{ kind: "line", path: thing.path }], kind: "entry" });
+    model.shown.set(thing === undefined ? null : { sheet: thing.sheet, ghost: [thing.path === "" ? { kind: "point", path: `M${thing.at.join(" ")}h0` } : { kind: "line", path: thing.path }], kind: "entry" });
     show();
   }
 
@@ -37,7 +37,7 @@ export function list(model: Model, judging: Judging): HTMLElement {
       const isFirst = judging.verdicts.value?.first_wrong === index;
       const sign = verdict === undefined || !entry.stands ? null : element("span", { class: "sign", role: "img", "aria-label": say(`is_${verdict.verdict}`) }, SIGNS[verdict.verdict]);
       const head = element("button", { type: "button", "data-entry": index, "aria-pressed": String(index === chosen), onclick: () => choose(index) }, element("span", { class: "number" }, entry.stands ? String(numbers.indexOf(index) + 1) : ""), element("span", { class: "what" }, entry.words), sign);
-      const more = isFirst || (verdict?.verdict === "wrong" && index === chosen) ? element("p", { class: "why" }, [verdict?.words, verdict?.hint].filter(Boolean).join(" ")) : null;
+      const more = isFirst || (verdict?.verdict === "wrong" && index === chosen) ? element("p", { class: "why" }, verdict === undefined ? "" : whyOf(verdict).join(" ")) : null;
       const back = index === chosen && !isLooking ? element("button", { type: "button", class: "back-to", onclick: () => void model.inTurn(() => model.undoFrom(index)) }, say("back_to_here")) : null;
       return [element("li", { class: `${verdict?.verdict ?? ""}${entry.stands ? "" : " undone"}${isFirst ? " first" : ""}` }, head, more, back)];
     });

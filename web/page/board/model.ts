@@ -117,9 +117,8 @@ export function model(app: App): Model {
     const next = drawingText({ ...now, did: [...now.did, ...entries.map((entry) => ({ ...entry, t }))] });
     try {
       const found = await app.engine.board(scene(), next);
-      const refused = found.did.slice(now.did.length).find((entry) => entry.refused !== null)?.refused;
-      if (refused) {
-        says.set({ text: said(refused), isBad: true });
+      if (found.refused !== null && found.refused.entry >= now.did.length) {
+        says.set({ text: found.refused.message, isBad: true });
         return false;
       }
       until.set(null);

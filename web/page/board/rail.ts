@@ -12,6 +12,7 @@ const SHAPES: Record<Tool, string> = {
   line: "M4 20V6l14 14zM8 16v-3l3 3z",
   join: "M3 17 17 3l4 4L7 21zM8 12l2 2M11 9l3 3M14 6l2 2",
   cross: "M4 20 16 8M5 6l14 12M10.800 13.200m-2.600 0a2.600 2.600 0 1 0 5.200 0 2.600 2.600 0 1 0-5.200 0",
+  mark: "M12 4v16M4 12h16M12 12m-1.500 0a1.500 1.500 0 1 0 3 0 1.500 1.500 0 1 0-3 0",
   like: "M3 20h8L5 13zM13 14h9L15 5z",
   measure: "M3 8v8M21 8v8M3 12h18M6 9l-3 3 3 3M18 9l3 3-3 3",
   compute: "M6 3h12v18H6zM9 7h6M9 12v.1M12 12v.1M15 12v.1M9 16v.1M12 16v.1M15 16v.1",
@@ -33,6 +34,8 @@ export function rail(model: Model): HTMLElement {
   const root = element("div", { class: "rail", role: "radiogroup" }, ...buttons);
   radios(root);
   language.on(() => root.setAttribute("aria-label", say("tools")));
+  // Points are put down by eye where the hand is free.
+  model.known.on(() => (buttons[TOOLS.indexOf("mark")]!.hidden = (model.drawing().snap ?? "all") === "all"));
   model.tool.on((now) =>
     TOOLS.forEach((tool, index) => {
       buttons[index]!.setAttribute("aria-checked", String(tool === now));

@@ -15,7 +15,8 @@ export function replay(app: App, model: Model): HTMLElement {
   const count = element("output");
   const play = element("button", { type: "button", class: "play" });
   const speed = element("select", {}, ...[["0.5", "½×"], ["1", "1×"], ["2", "2×"], ["4", "4×"]].map(([value, shown]) => element("option", { value, selected: value === "1" }, shown)));
-  const root = element("div", { class: "replay", role: "group", hidden: true }, play, slider, count, speed);
+  const end = element("button", { type: "button", class: "end" }, icon("remove"));
+  const root = element("div", { class: "replay", role: "group", hidden: true }, play, slider, count, speed, end);
   let clock = 0;
   let isPlaying = false;
 
@@ -49,6 +50,7 @@ export function replay(app: App, model: Model): HTMLElement {
   function show(): void {
     const most = did().length;
     root.hidden = model.until.value === null;
+    end.hidden = model.use().mode === "demonstration";
     slider.max = String(most);
     slider.value = String(now());
     count.textContent = `${now()} / ${most}`;
@@ -59,6 +61,10 @@ export function replay(app: App, model: Model): HTMLElement {
   play.onclick = () => {
     if (!isPlaying && now() >= did().length) go(0);
     run(!isPlaying);
+  };
+  end.onclick = () => {
+    model.looked.set(null);
+    model.until.set(null);
   };
   slider.oninput = () => {
     run(false);
@@ -74,6 +80,7 @@ export function replay(app: App, model: Model): HTMLElement {
     root.setAttribute("aria-label", say("replay"));
     slider.setAttribute("aria-label", say("replay"));
     name(speed, say("speed"));
+    name(end, say("end_replay"));
     show();
   });
   return root;

@@ -12,6 +12,7 @@ import { said } from "../refused.ts";
 import { called, type Sheet } from "../sheets.ts";
 import { newest } from "../state/newest.ts";
 import { language } from "../words.ts";
+import type { Judging } from "./judging.ts";
 import { loupe, type Loupe } from "./loupe.ts";
 import type { Model } from "./model.ts";
 import type { BoardSheet, Ghost, Snap } from "./types.ts";
@@ -38,7 +39,7 @@ export interface Stage {
   draw(): void;
 }
 
-export function stage(app: App, model: Model, sheet: Sheet): Stage {
+export function stage(app: App, model: Model, judging: Judging, sheet: Sheet): Stage {
   const view = viewport(10);
   const drawn = svgElement("svg", { class: "drawn", "aria-hidden": "true" });
   const over = svgElement("svg", { class: "over", tabindex: 0, role: "application", "data-sheet": sheet });
@@ -65,7 +66,7 @@ export function stage(app: App, model: Model, sheet: Sheet): Stage {
     if (good === "" || root.hidden || !app.drawing.value) return;
     const letters = view.now.value.scale * PRINTED < READ ? READ / view.now.value.scale : null;
     try {
-      const picture = await app.engine.board_picture(good, model.known.value?.drawing ?? "", { sheet, until, letters });
+      const picture = await app.engine.board_picture(good, model.known.value?.drawing ?? "", { sheet, until, letters, judged: judging.verdicts.value !== null });
       svg = picture.svg;
       paint();
     } catch (refused) {
@@ -134,6 +135,7 @@ export function stage(app: App, model: Model, sheet: Sheet): Stage {
   }
 
   model.known.on(follow);
+  judging.verdicts.on(() => picturing.want(undefined));
   model.until.on(() => picturing.want(undefined));
   model.shown.on(draw);
   isDark.on(paint);

@@ -183,9 +183,8 @@ export function strip(model: Model, back: () => void): Strip {
   /** A crossing is on the sheet of its lines. */
   function onOfName(on: string): string {
     const first = (model.has.value["of"] as string[] | undefined)?.[0];
-    return known_line(first) ?? on;
+    return model.known.value?.things.find(({ kind, name }) => kind === "line" && name === first)?.sheet ?? on;
   }
-  const known_line = (name: string | undefined): string | undefined => model.known.value?.things.find((thing) => thing.kind === "line" && thing.name === name)?.sheet;
 
   async function pick(slot: Slot, name: string): Promise<void> {
     const box = boxes.get(slot.blank);

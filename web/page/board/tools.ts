@@ -2,11 +2,11 @@
 import type { Entry } from "./file.ts";
 
 /** In the order of their buttons. */
-export const TOOLS = ["lay_off", "line", "join", "cross", "like", "measure", "compute", "solve", "rub"] as const;
+export const TOOLS = ["lay_off", "line", "join", "cross", "mark", "like", "measure", "compute", "solve", "rub"] as const;
 export type Tool = (typeof TOOLS)[number];
 
 /** The letters that choose them. */
-export const KEY_OF: Record<Tool, string> = { lay_off: "d", line: "s", join: "r", cross: "p", like: "i", measure: "m", compute: "=", solve: "e", rub: "x" };
+export const KEY_OF: Record<Tool, string> = { lay_off: "d", line: "s", join: "r", cross: "p", mark: "k", like: "i", measure: "m", compute: "=", solve: "e", rub: "x" };
 
 /** What a slot takes: a point of the sheet that is drawn on, one of the scheme, a line, what has a direction, a way to lie to it, a formula, … */
 export type Takes = "sheet" | "point" | "scheme" | "line" | "direction" | "how" | "angle" | "formula" | "formulas" | "point_name" | "line_name" | "number_name" | "names" | "sense" | "made";
@@ -98,6 +98,8 @@ export function slotsOf(tool: Tool, entry: Entry): Slot[] {
       return [ON, at("points", 0, "point", "first"), at("points", 1, "point", "second"), key("join", "line_name", "name")];
     case "cross":
       return [at("of", 0, "line", "first"), at("of", 1, "line", "second"), key("cross", "point_name", "name")];
+    case "mark":
+      return [ON, key("mark", "point_name", "name")];
     case "like":
       return [ON, ...[0, 1, 2].map((index) => at("points", index, "scheme", ["one", "two", "three"][index]!)), at("ends", 0, "point", "first"), at("ends", 1, "point", "second"), key("like", "point_name", "name")];
     case "measure":
@@ -119,5 +121,8 @@ export function begun(tool: Tool, before: Entry = {}): Entry {
 
 /** The slot that is to be filled next; none where all is said but perhaps a name that the board gives by itself. */
 export function lacking(tool: Tool, entry: Entry): Slot | undefined {
-  return slotsOf(tool, entry).find((slot) => !slot.optional && slot.takes !== "line_name" && slot.takes !== "sheet" && !(tool === "measure" && slot.takes === "number_name") && slot.get(entry).trim() === "");
+  // A line by eye goes through no point that has a name.
+  const isFree = tool === "line" && entry["drawn"] !== undefined;
+  const isNeeded = ({ optional, takes }: Slot): boolean => !optional && takes !== "line_name" && takes !== "sheet" && !(tool === "measure" && takes === "number_name") && !(isFree && takes === "point");
+  return slotsOf(tool, entry).find((slot) => isNeeded(slot) && slot.get(entry).trim() === "");
 }

@@ -1,5 +1,4 @@
 /** What the engine says of a drawing. Places are in mm of a sheet from its upper left corner, y down. */
-import type { Refused } from "../engine/types.ts";
 import type { Sheet } from "../sheets.ts";
 import type { Entry } from "./file.ts";
 
@@ -45,7 +44,6 @@ export interface BoardEntry {
   words: string;
   sheet: Sheet | null;
   stands: boolean;
-  refused: Refused | null;
   /** The entries whose results it uses. */
   needs: number[];
 }
@@ -59,6 +57,7 @@ export interface Board {
   names: BoardName[];
   free: { line: string; point: string; number: string };
   did: BoardEntry[];
+  refused: { entry: number; message: string } | null;
 }
 
 export interface Ghost {
@@ -85,19 +84,21 @@ export interface BoardPictureAsk {
   sheet: Sheet;
   until: number | null;
   letters: number | null;
+  judged: boolean;
 }
 
-export interface EntryVerdict {
-  verdict: "right" | "wrong" | "following" | "unused" | "open";
-  words: string;
-  hint: string;
+export interface JudgedEntry {
+  index: number;
+  does: string;
+  verdict: "right" | "wrong" | "follows" | "unused" | "undone";
+  says?: string | null;
+  done?: string | null;
+  should?: string | null;
 }
 
 export interface BoardJudged {
-  entries: EntryVerdict[];
-  first_wrong: number | null;
-  earned: number;
-  of: number;
+  entries: JudgedEntry[];
+  first_wrong?: number | null;
   is_complete: boolean;
 }
 
@@ -105,5 +106,5 @@ export interface BoardHint {
   words: string;
   sheet: Sheet | null;
   ghost: Ghost[];
-  entry: Entry | null;
+  entry: number | null;
 }

@@ -96,4 +96,6 @@ export interface Engine {
   board_form(text: string, drawing: string): string;
   /** The program's own construction as a drawing. */
   board_own(text: string): string;
+  /** The plans of a drawing on sheets of paper, with their markers, as one PDF; `name` is that of the exercise. */
+  board_sheets(text: string, drawing: string, name: string): Uint8Array;
 }
