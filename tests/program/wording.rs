@@ -392,16 +392,19 @@ fn motions_along_guides_and_the_frame_are_written_as_asked() {
     }
     assert!(said(&[("sliding", "points"), ("notation", "russian")]).contains("a^k_B_2B_3 = 2 ω_3"));
 
-    let figure = |changes: &[(&str, &str)]| -> Vec<String> {
-        let drawing = solved(&with(&whitworth, changes)).expect("a good scene").figure();
+    let label = |text: &str, id: &str, changes: &[(&str, &str)]| -> Vec<String> {
+        let drawing = solved(&with(text, changes)).expect("a good scene").figure();
         let texts = drawing.marks.iter().filter_map(|mark| match &mark.shape {
-            Shape::Text(text) if mark.id.as_deref() == Some("scheme-label-ground") => Some(text.text.content()),
+            Shape::Text(text) if mark.id.as_deref() == Some(id) => Some(text.text.content()),
             _ => None,
         });
         texts.collect()
     };
-    assert_eq!(figure(&[("frame", "0")]), ["0"]);
-    assert!(figure(&[]).is_empty());
+    assert_eq!(label(&whitworth, "scheme-label-ground", &[("frame", "0")]), ["0"]);
+    assert!(label(&whitworth, "scheme-label-ground", &[]).is_empty());
+    let pushed = files::read("tests/driven_sliders/cylinder-on-slide.json");
+    assert_eq!(label(&pushed, "scheme-label-speed(2/1)", &[]), ["v2/1"]);
+    assert_eq!(label(&pushed, "scheme-label-speed(2/1)", &[("sliding", "points")]), ["vP2P1"]);
 }
 
 /// Turned velocities: the heading says so, vectors lie along their links and rays parallel to them; directions are those on the sheet.

@@ -4,8 +4,9 @@ use super::{AngularConstraint, Joint, Mark};
 use crate::geometry::{Point, Turn, Vector, direction_of_degrees, turn_of_degrees};
 use crate::mechanism::shape::direction;
 use crate::mechanism::{Body, BodyId, GROUND, JointId, Mechanism, PointId, Role, SliderId};
-use crate::scene::{self, Along, At, GivenBy, On, Scene, SliderDrive};
-use crate::words::{Notation, SliderNames, Wording, under};
+use crate::scene::{self, Along, At, GivenBy, On, Scene, SliderDrive, SlidingName};
+use crate::sheet::Order;
+use crate::words::{Notation, SlidePart, SliderNames, Wording, under};
 use smallvec::smallvec;
 
 /// A link that slides along a straight guide of another body and keeps its angle to it.
@@ -173,6 +174,18 @@ impl Mechanism {
         match self.sliders[..id.0].iter().filter(|slider| names(slider) == own).count() {
             0 => format!("{link}/{on}"),
             count => format!("{link}/{on}#{}", count + 1),
+        }
+    }
+
+    /// The symbol of a driven slider's velocity or acceleration beside its drive: `v_{3}` or `v_{2/1}`, in a notation by points as
+    /// everywhere.
+    #[must_use]
+    pub fn push_symbol(&self, of: Order, id: SliderId, notation: &Notation, shown: &dyn Fn(&str) -> String) -> String {
+        match notation.sliding {
+            SlidingName::Slider => format!("{}_{{{}}}", of.vector(), shown(&self.push_name(id))),
+            SlidingName::Points => {
+                notation.slide(of, SlidePart::Relative, &self.slider_shown(id, notation, shown)).markup()
+            }
         }
     }
 
