@@ -125,12 +125,8 @@ class Special(Draft):
         else:
             floating = called.get(side.floating, side.floating)
             terms = [(1, f"{head}({side.link})", self.length(side.a, side.c)), (on, f"{head}({floating})", length)]
-        value = sum(s * self.true_rate(name) * (abs(self.true_length(ll)) if ll else 1) for s, name, ll in terms)
+        value = sum(s * self.true_rate(name) * (self.sizes[ll] if ll else 1) for s, name, ll in terms)
         return terms, 1 if value >= 0 else -1, self.segment(sheet, start, own)
-
-    def true_length(self, name):
-        p, q = name[2:-1].split(",")
-        return self.m.at[q] - self.m.at[p]
 
 
 class Cylinder(Special):

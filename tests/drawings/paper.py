@@ -289,7 +289,8 @@ def standing(did):
 
 def replay(mechanism, drawing):
     """The sheets at the end of a drawing."""
-    paper = Paper(mechanism, {"scheme": drawing["mu_l"], "velocity": drawing["mu_v"], "acceleration": drawing["mu_a"]})
+    of = {**mechanism.scene.get("figure", {}), **drawing}
+    paper = Paper(mechanism, {"scheme": of["mu_l"], "velocity": of["mu_v"], "acceleration": of["mu_a"]})
     for _, entry in standing(drawing["did"]):
         paper.do(entry)
     return paper

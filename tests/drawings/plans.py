@@ -72,7 +72,7 @@ class Draft:
         self.own_points, self.typing = rng.choice([0, 0, 0, 0.3]), rng.choice([0, 0, 0.3, 0.9])
         self.wrapping, self.style = rng.choice([0.1, 0.6]), rng.randrange(4)
         self.letters = rng.choice(["r", "g", "l", "Linie", "ray_", "hilfs"])
-        self.rest = {sheet: set() for sheet in PLANS}
+        self.rest, self.measured, self.sizes = {sheet: set() for sheet in PLANS}, {}, {}
         self.expected = {}
 
     # ------------------------------------------------------------ names, chances
@@ -131,12 +131,24 @@ class Draft:
         return amount.text(), {"amount": amount, **info}
 
     def length(self, p, q):
-        return f"L({p},{q})" if self.chance(0.5) else f"L({q},{p})"
+        """A length: the scene's, or measured on the scheme, with or without an entry that says so."""
+        name = f"L({p},{q})" if self.chance(0.5) else f"L({q},{p})"
+        pair = frozenset((p, q))
+        if name not in self.numbers and pair not in self.measured:
+            self.measured[pair] = None
+            if self.chance(0.4):
+                self.measured[pair] = name if self.chance(0.5) else self.own(f"{p}{q}_")
+                self.add("measure", {"measure": self.measured[pair], "on": "scheme", "from": p, "to": q}, sheet="scheme")
+        name = self.measured.get(pair) or name
+        self.sizes[name] = abs(self.m.at[q] - self.m.at[p])
+        return name
 
     def lay_off(self, role, sheet, name, start, amount, along, **info):
         text, info = self.size(amount, role, **info)
         entry = {"lay_off": name, "on": sheet, "from": start, "size": text, "along": along}
-        return self.add(role if info else f"{role}-laid", entry, **info, start=start, sheet=sheet)
+        op = self.add(role if info else f"{role}-laid", entry, **info, start=start, sheet=sheet)
+        op.typed = bool(info) and self.chance(self.typing)
+        return op
 
     def ray(self, role, sheet, through, along, **info):
         name = self.own(self.letters)
@@ -197,7 +209,8 @@ class Draft:
         self.rng.shuffle(rows)
         rows = [([(s * turn, n, ll) for s, n, ll in terms], sign * turn, segment)
                 for (terms, sign, segment), turn in zip(rows, [self.rng.choice((1, -1)) for _ in rows])]
-        self.add("equations", {"solve": names, "equations": [equation(row) for row in rows]}, sheet=sheet, rows=rows)
+        op = self.add("equations", {"solve": names, "equations": [equation(row) for row in rows]}, sheet=sheet, rows=rows)
+        op.typed = self.chance(self.typing)
 
     # ------------------------------------------------------------ what is known
 
@@ -353,7 +366,7 @@ class Draft:
         if sheet == ACCELERATION:
             plain = turn_start
             turn_start = self.normal_part(q, b, lever, start=turn_start, name=f"n_{q.lower()}{under}", at=own)
-            k = slide_start = self.coriolis(f"k_{b.lower()}{lever}", pin, lever, slider, -1, b)
+            k = slide_start = self.coriolis(f"k_{b.lower()}{lever}", pin, lever, slider, -1, b, (own, self.image(VELOCITY, b)))
         one = self.ray("ray", sheet, turn_start, self.across(q, b), plain=plain, link=lever, part="normal")
         two = self.ray("guide-ray", sheet, slide_start, {"parallel": slider}, plain=pin if k else None, part="coriolis", slider=slider)
         self.cross(sheet, own, [one, two])
@@ -368,10 +381,12 @@ class Draft:
         self.expected[name] = (self.m.omega if sheet == VELOCITY else self.m.alpha)[block]
         self.add("same", {"compute": name, "as": f"{TURN[sheet]}({lever})"}, sheet=sheet)
 
-    def coriolis(self, name, start, link, slider, sign, pin):
-        """Lays off ±2 ω v_r across a guide; the name of its end."""
+    def coriolis(self, name, start, link, slider, sign, pin, along=None):
+        """Lays off ±2 ω v_r across a guide; the name of its end. `along` are the ends of v_r in the velocity plan."""
         name = self.aux(ACCELERATION, name)
         amount = Amount(f"omega({link})", f"v_r({slider})", sign=sign, factor="2", style=self.style & 2)
+        if along and self.chance(0.25):
+            amount = amount.but(length=f"vplan({along[0]},{along[1]})", sign=sign if self.m.v_r[slider] >= 0 else -sign)
         self.lay_off("coriolis", ACCELERATION, name, start, amount, {"normal": slider}, link=link, slider=slider, pin=pin)
         return name
 

@@ -2,12 +2,11 @@
 
 import cmath
 import math
-import random
+import re
 from dataclasses import dataclass
 
 import paper
 from paper import Paper, Refused
-from truth import dot
 
 SHEET_MM = {"scheme": 90, "velocity": 110, "acceleration": 130}
 
@@ -20,7 +19,8 @@ class Hand:
     mm, degrees   limits of the error of what is free
     stated   whether `through` and `along` stand at lines that are drawn free
     reads    whether lengths are read off and rounded, as with a ruler
-    digits   of typed numbers"""
+    digits   of typed numbers
+    inserts  how often a quantity of a formula is written as its number"""
 
     snap: str = "all"
     mm: float = 0.3
@@ -28,6 +28,7 @@ class Hand:
     stated: bool = True
     reads: bool = False
     digits: int = 3
+    inserts: float = 0.0
 
 
 EXACT = Hand(digits=12)
@@ -35,7 +36,8 @@ EXACT = Hand(digits=12)
 
 def hand_of(rng):
     snap = rng.choice(["all", "points", "none"])
-    return Hand(snap, stated=rng.random() < 0.5, reads=rng.random() < (0.3 if snap == "all" else 0.6), digits=rng.choice([3, 3, 4]))
+    return Hand(snap, stated=rng.random() < 0.5, reads=rng.random() < (0.3 if snap == "all" else 0.6), digits=rng.choice([3, 3, 4]),
+                inserts=rng.choice([0, 0, 0, 0, 0, 0.5]))
 
 
 # ---------------------------------------------------------------- order
@@ -104,9 +106,31 @@ class Drawing:
     def round(self, value):
         return 0.0 if value == 0 else round(value, self.hand.digits - 1 - math.floor(math.log10(abs(value))))
 
+    def inserted(self, text, unknown=()):
+        """A formula with some of its quantities written as numbers."""
+        def number(token):
+            if token in unknown or self.rng.random() > self.hand.inserts:
+                return token
+            value = self.round(self.sheets.number(token))
+            return f"({value})" if value < 0 else f"{value}"
+        return re.sub(r"[^\W\d][\w']*\([^()]*\)", lambda m: number(m[0]) if m[0].split("(")[0] not in paper.FUNCTIONS else m[0], text)
+
+    def entries(self, op):
+        """What is written down for an operation: mostly one entry; equations that are solved elsewhere give numbers."""
+        if op.kind == "solve" and op.typed:
+            after = self.exact(op.entry)
+            return [{"compute": name, "value": self.round(after.numbers[name])} for name in op.entry["solve"]]
+        return [self.drawn_entry(op)]
+
     def drawn_entry(self, op):
         """The entry of an operation as this hand does it; numbers come from what stands on the sheets, right or not."""
         entry, kind, hand = dict(op.entry), op.kind, self.hand
+        if hand.inserts:
+            entry.update({key: self.inserted(entry[key]) for key in ("size", "as") if key in entry})
+            if "equations" in entry:
+                entry["equations"] = [self.inserted(e, entry["solve"]) for e in entry["equations"]]
+        if kind == "lay_off" and op.typed:
+            entry["size"] = op.info.get("slip", lambda v: v)(self.round(self.sheets.value(entry["size"])))
         if kind == "compute" and op.typed and "as" in entry:
             value = self.round(self.sheets.value(entry["as"]))
             value = abs(value) if "sense" in entry else value
@@ -144,7 +168,8 @@ class Drawing:
         size = abs(op.info["reading"](q - p)) if "reading" in op.info else abs(q - p)
         free = self.error(self.hand.mm) if self.hand.snap != "all" else 0.0
         size = max(size / mu + free, 0.0)
-        return self.round(op.info.get("slip", lambda v: v)(round(size, 1 if size > 5 else 2) * mu)) if self.hand.reads else size * mu
+        size = self.round(round(size, 1 if size > 5 else 2) * mu) if self.hand.reads else size * mu
+        return op.info.get("slip", lambda v: v)(size)
 
     def free_line(self, op, entry):
         sheet, place, way = self.exact(entry).lines[entry["line"]]
@@ -174,8 +199,14 @@ class Drawing:
         self.did.append(entry)
 
     def do(self, op):
-        self.put(self.drawn_entry(op))
-        self.index[id(op)] = len(self.did) - 1
+        self.index[id(op)] = len(self.did)
+        for entry in self.entries(op):
+            self.put(entry)
+
+    def all(self, ops):
+        for op in ops:
+            self.do(op)
+        return self.sheets
 
     # what nobody needs
 
@@ -184,7 +215,8 @@ class Drawing:
         saved, before = self.copy(), len(self.did)
         for op in ops:
             try:
-                self.put(self.drawn_entry(op))
+                for entry in self.entries(op):
+                    self.put(entry)
             except Refused:
                 continue
         count = len(self.did) - before
@@ -213,10 +245,12 @@ class Drawing:
             self.put({"compute": own("z"), "as": f"{self.rng.choice(['2*', ''])}{'L' if sheet == 'scheme' else sheet[0] + 'plan'}({p},{q})"})
 
 
-def perform(mechanism, ops, scale, hand, rng, own, wrong_of=None, extras=0.0, detours=0.0):
-    """Carries ordered operations out. `wrong_of(op)` is another way to do one, for detours."""
+def perform(mechanism, ops, scale, hand, rng, own, wrong_of=None, extras=0.0, detours=0.0, watch=None):
+    """Carries ordered operations out. `wrong_of(i)` is a wrong way to do one, for detours; `watch` is told the sheets so far."""
     d = Drawing(mechanism, scale, hand, rng)
     for i, op in enumerate(ops):
+        if watch:
+            watch[0] = d.sheets
         if rng.random() < extras:
             d.extra(own)
         if rng.random() < detours:
@@ -233,14 +267,14 @@ def head(drawing, exercise=""):
 
 
 def spelt(did, rng):
-    """The same entries as somebody else writes them: `pi` for π, no `on` where a name says it."""
+    """The same entries as somebody else writes them: `pi` for π, no `on` where a name or the lines of a crossing say it."""
     pi, short = rng.random() < 0.3, rng.random() < 0.5
     decides = {"p": "velocity", "π": "acceleration"}
 
     def entry(e):
         e = dict(e)
         named = [e.get("from"), e.get("to"), e.get("through")]
-        if short and "drawn" not in e and ("cross" in e or any(decides.get(n) == e.get("on") for n in named if n in decides)):
+        if "cross" in e or short and "drawn" not in e and any(decides.get(n) == e.get("on") for n in named if n in decides):
             e.pop("on", None)
         if pi:
             for key in ("from", "to", "through"):
@@ -272,6 +306,3 @@ def largest_move(before, after):
     for name, x in before.items():
         most[kind_of(name)] = max(most.get(kind_of(name), 0), abs(x))
     return max((abs(after[name] - x) / (most[kind_of(name)] or 1) for name, x in before.items() if name in after), default=0.0)
-
-
-__all__ = ["Drawing", "Hand", "dot", "random"]
