@@ -59,6 +59,11 @@ class Place:
         apart = 1e-3 * max((abs(z) for z in places.values()), default=1)
         return sorted(n for n, z in places.items() if n != "pi" and all(abs(z - places[b]) > apart for b in but))
 
+    def axes(self):
+        """References for the directions of links."""
+        return [name if len(points) == 2 else ",".join(points[:2])
+                for name, points in self.sheets.mechanism.links.items() if len(points) > 1]
+
     def pick(self, options):
         options = list(options)
         return self.rng.choice(options) if options else None
@@ -102,8 +107,8 @@ def ray_of_another_link(p):
     def apart(ref):
         other = p.sheets.way("scheme", ref)
         return abs((way.conjugate() * other * 1j).imag) > 0.05 * abs(other)
-    links = [n for n, points in p.sheets.mechanism.links.items() if len(points) > 1]
-    other = p.pick(n for n in links if apart(n))
+
+    other = p.pick(n for n in p.axes() if apart(n))
     return other and p.but(along={"normal": other})
 
 
@@ -217,8 +222,7 @@ def vector_of_another_link(p):
     if "lay_off" not in p.entry:
         return None
     (key, ref), = p.entry["along"].items()
-    links = [n for n, points in p.sheets.mechanism.links.items() if len(points) > 1]
-    other = p.pick(n for n in links if abs((p.sheets.way("scheme", n).conjugate() * p.sheets.way(p.sheet, ref)).imag)
+    other = p.pick(n for n in p.axes() if abs((p.sheets.way("scheme", n).conjugate() * p.sheets.way(p.sheet, ref)).imag)
                    > 0.05 * abs(p.sheets.way("scheme", n) * p.sheets.way(p.sheet, ref)))
     return other and p.but(along={key: other})
 

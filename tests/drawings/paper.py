@@ -138,8 +138,10 @@ class Paper:
             return self.lines[ref][2]
         if ref in self.mechanism.guides:
             return self.mechanism.guides[ref]
-        points = self.mechanism.links[ref]
-        return self.mechanism.at[points[-1]] - self.mechanism.at[points[0]]
+        if len(self.mechanism.links.get(ref, ())) != 2:
+            raise Refused(f"no direction {ref}")
+        p, q = self.mechanism.links[ref]
+        return self.mechanism.at[q] - self.mechanism.at[p]
 
     def along(self, sheet, along):
         if "parallel" in along:

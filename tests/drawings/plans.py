@@ -103,7 +103,7 @@ class Draft:
 
     def link_of(self, p, q):
         for name, points in self.m.links.items():
-            if len(points) > 1 and (points[0], points[-1]) == (p, q):
+            if len(points) == 2 and tuple(points) == (p, q):
                 return name
         return None
 

@@ -168,7 +168,7 @@ class Drawing:
         size = abs(op.info["reading"](q - p)) if "reading" in op.info else abs(q - p)
         free = self.error(self.hand.mm) if self.hand.snap != "all" else 0.0
         size = max(size / mu + free, 0.0)
-        size = self.round(round(size, 1 if size > 5 else 2) * mu) if self.hand.reads else size * mu
+        size = float(f"{round(size, 1 if size > 5 else 2) * mu:.10g}") if self.hand.reads else size * mu
         return op.info.get("slip", lambda v: v)(size)
 
     def free_line(self, op, entry):
