@@ -34,7 +34,8 @@ class Verdict:
         self.entries = {e["index"]: e for e in said["entries"]}
         self.first = said.get("first_wrong")
         self.entry, self.kind = sheet.planted[0] if sheet.planted else (None, None)
-        self.right = self.first == self.entry or self.first in sheet.also
+        self.strictly = self.first == self.entry
+        self.right = self.strictly or self.first in sheet.also
         self.name = self.entries.get(self.first, {}).get("mistake") if self.first is not None else None
         self.named = self.right and self.kind is not None and self.name in self.kind.names
         self.misnamed = self.right and self.kind is not None and self.name not in NO_NAME and not self.named
@@ -62,11 +63,12 @@ def table(title, verdicts, key):
     rows = defaultdict(list)
     for v in verdicts:
         rows[key(v)].append(v)
-    print(f"\n| {title} | drawings | first wrong right | named right | misnamed | nothing found | earlier accused |")
-    print("|---|---|---|---|---|---|---|")
+    print(f"\n| {title} | drawings | first wrong right | itself, not its user | named right | misnamed | nothing found | earlier accused |")
+    print("|---|---|---|---|---|---|---|---|")
     for name, some in [*sorted(rows.items()), ("all", verdicts)]:
         nameable = [v for v in some if v.kind.names]
         print(f"| {name} | {len(some)} | {percent(sum(v.right for v in some), len(some))} | "
+              f"{percent(sum(v.strictly for v in some), len(some))} | "
               f"{percent(sum(v.named for v in nameable), len(nameable))} | {percent(sum(v.misnamed for v in some), len(some))} | "
               f"{percent(sum(v.first is None for v in some), len(some))} | "
               f"{percent(sum(v.first is not None and v.first < v.entry for v in some), len(some))} |")

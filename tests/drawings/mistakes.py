@@ -158,7 +158,7 @@ def wrong_lines(p):
     return other_lines(p)
 
 
-@kind("wrong-rays-crossed", "wrong-lines", "cross")
+@kind("wrong-rays-crossed", "", "cross")
 def wrong_rays(p):
     return other_lines(p)
 
@@ -240,7 +240,7 @@ def coriolis_along_guide(p):
 @kind("angle-of-a-given-vector", "", "known")
 def given_angle(p):
     angle = p.entry["along"]["angle"]
-    return p.but(along={"angle": p.rng.choice([-angle, angle + 180, 90 - angle])}) if angle else None
+    return p.but(along={"angle": p.rng.choice([-angle, 90 - angle])}) if angle else None
 
 
 @kind("given-parts-swapped", "swapped", "known")
@@ -326,7 +326,7 @@ def revolutions(p):
     return p.amounts(factor="9.549297" if p.rng.random() < 0.5 else "0.1047198")
 
 
-@kind("scale-forgotten", "wrong-scale", "crank-velocity", "crank-normal", "normal", "coriolis", "drive")
+@kind("scale-forgotten", "wrong-scale decimal-slipped", "crank-velocity", "crank-normal", "normal", "coriolis", "drive")
 def scale_forgotten(p):
     """A tenth or ten times as long as the scale makes it."""
     return p.sized(f"{p.rng.choice(['10', '0.1'])}*({p.entry.get('size') or p.entry['as']})") if "size" in p.entry else None

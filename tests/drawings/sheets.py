@@ -46,8 +46,15 @@ def right_alone(case, scale, right, new, wrong):
         if not set(paper.makes(op.entry)) <= have:
             sheets.do(op.entry)
     entry, name, kind = wrong.entry, wrong.entry[wrong.kind], wrong.kind
-    if wrong.info.get("askew") or wrong.info.get("off_mm") or wrong.info.get("reading") or wrong.info.get("slip"):
+    if "askew" in wrong.info or "off_mm" in wrong.info:
         return None
+    if "reading" in wrong.info:
+        mu = sheets.scales[entry["on"]]
+        true = sheets.point(entry["on"], entry["to"]) - sheets.point(entry["on"], entry["from"])
+        return abs(wrong.info.get("slip", lambda v: v)(abs(wrong.info["reading"](true))) - abs(true)) / mu, 0.9
+    if "slip" in wrong.info:
+        value = sheets.value(entry.get("as") or entry["size"])
+        return abs(wrong.info["slip"](value) / value - 1) if value else 0.0, 0.03
     if kind in ("line", "join"):
         sheets.lines.pop(name, None)
         sheets.do(entry)
@@ -107,7 +114,7 @@ def planted(case, ops, own, scale, hand, rng, count, only, tally):
             tally["moves no value"] += 1
             continue
         free = hand.snap != "all" or hand.reads or any(op.typed for op in ops)
-        if alone and alone[0] < (alone[1] if free else 0):
+        if alone and alone[0] < (1.3 * alone[1] if free else 0):
             tally["within what the hand may be off"] += 1
             continue
         new, wrongs = changed, wrongs + [(wrong, kind)]
@@ -154,13 +161,18 @@ def sheet(case, seed, mistakes=0, only=(), tally=None, hand=None):
     if rng.random() < 0.3:
         drawing["did"] = [{**e, "t": 1500 * i} for i, e in enumerate(drawing["did"])]
     places = sorted(((drawn.index[id(op)], kind) for op, kind in wrongs), key=lambda pair: pair[0])
-    return Sheet(case, str(seed), hand, drawing, places, also_first(drawing["did"], places), moved)
+    return Sheet(case, str(seed), hand, drawing, places, also_first(drawing["did"], places, d.names), moved)
 
 
-def also_first(did, places):
-    """Entries that may as well be called the first wrong one: a number of one's own that is typed has nothing to be judged by but the
-    entry that uses it."""
-    if not places or "value" not in did[places[0][0]] or "(" in did[places[0][0]]["compute"]:
+def also_first(did, places, own):
+    """Entries that may as well be called the first wrong one: what has a name of one's own has no right value but by the entry that
+    uses it, so that may be blamed."""
+    if not places:
         return set()
-    first, name = places[0][0], did[places[0][0]]["compute"]
-    return {next((i for i, e in enumerate(did) if i > first and name in paper.needs(e)), first)}
+    first = places[0][0]
+    entry = did[first]
+    kind = next(iter(entry))
+    if kind in ("line", "join", "solve") or entry[kind] not in own:
+        return set()
+    name = entry[kind]
+    return {next((i for i, e in enumerate(did) if i > first and any(n in (name, f"{e.get('on')}:{name}") for n in paper.needs(e))), first)}
