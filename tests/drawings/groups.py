@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from plans import ACCELERATION, POLE, SEGMENT, SLIDE, TURN, VELOCITY, Amount, Draft
+from plans import ACCELERATION, SLIDE, TURN, Amount, Draft
 from truth import dot
 
 
@@ -147,6 +147,3 @@ class Cylinder(Special):
         self.expect(sheet, own, arm, self.m.at[c])
         self.turns(sheet, [(barrel, start, own, a, c), (arm, arm_start, own, o, c)])
         self.same_rate(sheet, rod, barrel)
-
-
-__all__ = ["Cylinder", "Side", "Special", "POLE", "SEGMENT"]

@@ -154,6 +154,23 @@ def report(honest, planted, failed, tally, options):
     return 2 if failed else 1 if options.limits and not kept else 0
 
 
+def every_prefix(options, folder):
+    """Whether each beginning of a drawing is judged, and says of an entry no more than that it is right or wrong."""
+    asked, failed = 0, Counter()
+    for case in scenes.cases(options.kinegon, options.exercises, options.per_kind, options.only):
+        for n in range(options.prefixes):
+            sheet = sheets.sheet(case, f"{options.seed}-{n}", n % 2) or sheets.sheet(case, f"{options.seed}-{n}", 0)
+            for end in range(len(sheet.drawing["did"]) + 1):
+                begun = sheets.Sheet(case, sheet.seed, sheet.hand, {**sheet.drawing, "did": sheet.drawing["did"][:end]})
+                said = check(options.kinegon, folder, begun, 0)
+                asked += 1
+                failed[f"{case.name} {n}, {end} entries: {said}" if isinstance(said, str) else None] += 1
+    del failed[None]
+    print(f"{asked} beginnings of drawings, {sum(failed.values())} without an answer")
+    print("\n".join(list(failed)[:10]))
+    return 2 if failed else 0
+
+
 # ---------------------------------------------------------------- self-test
 
 def self_test(options):
@@ -195,6 +212,7 @@ def main():
     parser.add_argument("--per-kind", type=int, default=3, help="exercises of each kind")
     parser.add_argument("--exercises", default="", help="a folder that keeps the exercises")
     parser.add_argument("--misses", help="a folder for the drawings that were judged wrongly")
+    parser.add_argument("--prefixes", type=int, default=0, help="so many drawings of each scene are judged entry by entry, too")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--limits", action="store_true", help="exit 1 where first wrong < 95 %% (two mistakes: 90 %%), name < 90 %%, or an honest one is accused")
     parser.add_argument("--self-test", action="store_true")
@@ -204,6 +222,8 @@ def main():
         Path(options.exercises).mkdir(parents=True, exist_ok=True)
         if options.self_test:
             return self_test(options)
+        if options.prefixes:
+            return every_prefix(options, folder)
         return report(*judge(options, folder), options)
 
 

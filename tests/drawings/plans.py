@@ -8,7 +8,6 @@ import math
 from dataclasses import dataclass, field, replace
 
 import paper
-from truth import dot
 
 VELOCITY, ACCELERATION = "velocity", "acceleration"
 PLANS = (VELOCITY, ACCELERATION)
@@ -399,8 +398,3 @@ def equation(row):
         term = f"{name}*{length}" if length else name
         text += ("-" if s < 0 else "") + term if not text else f" {'-' if s < 0 else '+'} {term}"
     return f"{text} = {'-' if sign < 0 else ''}{segment}"
-
-
-def signed(start, direction, end):
-    """1 or -1: whether a segment points along a direction."""
-    return 1 if dot(direction, end - start) >= 0 else -1

@@ -4,12 +4,15 @@ import random
 from collections import Counter
 from dataclasses import dataclass, field
 
+import mistakes_computed
+import mistakes_drawn
 import paper
 import ways
 from mistakes import KINDS, plant
 from paper import Refused
 from truth import Impossible, dot
 
+MODULES = (mistakes_computed, mistakes_drawn)
 # What moves no value by more than this share of the largest of its kind is no mistake in this scene.
 MOVES = 1e-6
 
