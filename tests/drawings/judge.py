@@ -101,7 +101,7 @@ def judge(options, folder):
 
     def work(job):
         number, (case, seed, count) = job
-        sheet = sheets.sheet(case, seed, count, options.kinds, tally)
+        sheet = sheets.sheet(case, seed, count, options.kinds, tally, symbolic=options.symbolic)
         return number, sheet, check(options.kinegon, folder, sheet, number) if sheet else None
 
     honest, planted, failed = [], [], Counter()
@@ -206,6 +206,7 @@ def main():
     parser.add_argument("--seeds", type=int, default=20, help="drawings with a mistake of each scene")
     parser.add_argument("--honest", type=int, default=20, help="honest drawings of each scene")
     parser.add_argument("--two", action="store_true", help="two mistakes in each drawing")
+    parser.add_argument("--symbolic", action="store_true", help="no typed numbers, none in formulas")
     parser.add_argument("--seed", default="1", help="other drawings for another word")
     parser.add_argument("--only", nargs="*", default=(), help="scenes whose names hold one of these words")
     parser.add_argument("--kinds", nargs="*", default=(), help="only these kinds of mistakes")

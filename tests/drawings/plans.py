@@ -73,6 +73,8 @@ class Draft:
         self.letters = rng.choice(["r", "g", "l", "Linie", "ray_", "hilfs"])
         self.rest, self.measured, self.sizes = {sheet: set() for sheet in PLANS}, {}, {}
         self.expected = {}
+        # Auxiliary points that Kinegon's own construction may lack, so that their names mean nothing to it.
+        self.loose = set()
 
     # ------------------------------------------------------------ names, chances
 
@@ -302,6 +304,7 @@ class Draft:
             self.lay_off("relative", sheet, own, start, amount, across, link=link)
         elif self.chance(0.6):
             half = self.normal_part(p, c, link, start=start, at=own)
+            self.loose.add(half)
             self.lay_off("tangential", sheet, own, half, amount, across, link=link)
         else:
             half = self.own("t")

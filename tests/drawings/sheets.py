@@ -2,7 +2,7 @@
 
 import random
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import mistakes_computed
 import mistakes_drawn
@@ -126,13 +126,17 @@ def planted(case, ops, own, scale, hand, rng, count, only, tally):
     return None
 
 
-def sheet(case, seed, mistakes=0, only=(), tally=None, hand=None):
-    """One drawing of a scene; None where no mistake could be put in."""
+def sheet(case, seed, mistakes=0, only=(), tally=None, hand=None, symbolic=False):
+    """One drawing of a scene; None where no mistake could be put in. `symbolic`: no number is typed."""
     rng = random.Random(f"{case.name} {seed} {mistakes}")
     tally = Counts() if tally is None else tally
     d = case.draft(rng)
     ops = ways.ordered(d.ops, rng)
     scale, hand = scale_of(case, ops), hand or ways.hand_of(rng)
+    if symbolic:
+        hand = replace(hand, inserts=0.0)
+        for op in ops:
+            op.typed = False
     new, wrongs, moved = ops, [], 0.0
     if mistakes:
         made = planted(case, ops, d.names, scale, hand, rng, mistakes, only, tally)
@@ -164,7 +168,7 @@ def sheet(case, seed, mistakes=0, only=(), tally=None, hand=None):
     if rng.random() < 0.3:
         drawing["did"] = [{**e, "t": 1500 * i} for i, e in enumerate(drawing["did"])]
     places = sorted(((drawn.index[id(op)], kind) for op, kind in wrongs), key=lambda pair: pair[0])
-    return Sheet(case, str(seed), hand, drawing, places, also_first(drawing["did"], places, d.names), moved)
+    return Sheet(case, str(seed), hand, drawing, places, also_first(drawing["did"], places, d.names | d.loose), moved)
 
 
 def also_first(did, places, own):
@@ -178,4 +182,5 @@ def also_first(did, places, own):
     if kind in ("line", "join", "solve") or entry[kind] not in own:
         return set()
     name = entry[kind]
-    return {next((i for i, e in enumerate(did) if i > first and any(n in (name, f"{e.get('on')}:{name}") for n in paper.needs(e))), first)}
+    users = [i for i, e in paper.standing(did) if i > first and any(n in (name, f"{e.get('on')}:{name}") for n in paper.needs(e))]
+    return set(users[:1])
