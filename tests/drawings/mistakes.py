@@ -98,8 +98,8 @@ def leave_out(ops, i):
         named = [op.entry.get("from"), op.entry.get("through")]
         if k > i and op.entry.get("on") == sheet and name in named and op.kind in ("line", "lay_off"):
             wrong = len(out) if wrong is None else wrong
-        if k > i:
-            op = Op(json.loads(word.sub(start, json.dumps(op.entry, ensure_ascii=False))), op.role, op.info, op.typed)
+        if k > i and (entry := json.loads(word.sub(start, json.dumps(op.entry, ensure_ascii=False)))) != op.entry:
+            op = Op(entry, op.role, op.info, op.typed)
             if "measure" in op.entry and "(" in op.entry["measure"] and op.entry["from"] == op.entry["to"]:
                 return None
         out.append(op)

@@ -105,6 +105,8 @@ def planted(case, ops, own, scale, hand, rng, count, only, tally):
             if made is None:
                 continue
             changed, at = made
+            if not all(any(op is w for op in changed) for w, _ in wrongs):
+                continue
             wrong = changed[at]
             after = ways.values(ways.Drawing(case.mechanism, scale, ways.EXACT, random.Random(0)).all(changed), own)
             alone = right_alone(case, scale, ops, changed, wrong)
