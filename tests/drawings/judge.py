@@ -84,7 +84,7 @@ def keep_miss(folder, number, verdict, why):
     did = ",\n  ".join(json.dumps(e, ensure_ascii=False) for e in sheet.drawing["did"])
     text = json.dumps(head, ensure_ascii=False)[:-1] + f', "did": [\n  {did} ] }}\n'
     (place / "drawing.json").write_text(text, "utf-8")
-    lines = [f"{why}; hand {sheet.hand}; moved {sheet.moved:.2g}"]
+    lines = [f"{why}; hand {sheet.hand}; moved {sheet.moved:.2g}; alone off by (mm or share, hand): {sheet.alone}"]
     for index, kind in sheet.planted:
         lines.append(f"planted {kind.name} at {index}: {json.dumps(sheet.drawing['did'][index], ensure_ascii=False)}")
     if verdict.first is not None:

@@ -169,7 +169,7 @@ class Draft:
         way = self.rng.randrange(3)
         if way == 0 or quantity in self.numbers:
             return quantity
-        name = quantity if way == 1 else self.own(f"{p}{q}".replace("π", "o").replace("_", "").lower() + "_")
+        name = quantity if way == 1 else self.own(f"{p}{q}s".replace("π", "o").replace("_", "").lower())
         self.numbers.add(quantity)
         self.add("measure", {"measure": name, "on": sheet, "from": p, "to": q}, sheet=sheet)
         return name

@@ -28,6 +28,7 @@ class Sheet:
     planted: list = field(default_factory=list)
     also: set = field(default_factory=set)
     moved: float = 0.0
+    alone: list = field(default_factory=list)
 
 
 class Counts(Counter):
@@ -40,7 +41,7 @@ def scale_of(case, ops):
     return {sheet: figure.get(f"mu_{sheet[0] if sheet != 'scheme' else 'l'}", own[sheet]) for sheet in own}
 
 
-def right_alone(case, scale, right, new, wrong):
+def right_alone(case, scale, right, new, wrong, free):
     """By how much a wrong operation is off when everything before it is right, and what a hand of 3 × (0.3 mm, 0.3°) may be off there: both in
     mm, or as shares where it gives numbers."""
     sheets = ways.carry_out(case.mechanism, right, scale)
@@ -82,13 +83,20 @@ def right_alone(case, scale, right, new, wrong):
     if kind == "measure":
         mu = sheets.scales[entry["on"]]
         return max(c for c, _ in changes) / mu, 0.9
-    return max((c / size if size else c) for c, size in changes), 0.03
+    if "amount" in wrong.info:
+        used = next((op.entry["on"] for op in new if op.entry.get("size") == name), None)
+        if used:
+            change, size = max(changes)
+            return change / sheets.scales[used], 0.9 + 0.03 * size / sheets.scales[used]
+    # A rate comes from a segment, of which 0.9 mm may be off.
+    mm = abs(sheets.number(wrong.info["segment"])) / sheets.scales[wrong.info["sheet"]] if wrong.info.get("segment") else 20
+    return max((c / size if size else c) for c, size in changes), 0.03 + (0.9 / max(mm, 0.9) if free else 0)
 
 
 def planted(case, ops, own, scale, hand, rng, count, only, tally):
-    """Operations with so many mistakes: (operations, [(operation, kind)], how far they move a value)."""
+    """Operations with so many mistakes: (operations, [(operation, kind)], how far they move a value, how far each is off alone)."""
     right = ways.values(ways.carry_out(case.mechanism, ops, scale), own)
-    new, wrongs, moved = ops, [], 0.0
+    new, wrongs, alones = ops, [], []
     for _ in range(60):
         by_kind = {}
         for i, op in enumerate(new):
@@ -109,7 +117,7 @@ def planted(case, ops, own, scale, hand, rng, count, only, tally):
                 continue
             wrong = changed[at]
             after = ways.values(ways.Drawing(case.mechanism, scale, ways.EXACT, random.Random(0)).all(changed), own)
-            alone = right_alone(case, scale, ops, changed, wrong)
+            alone = right_alone(case, scale, ops, changed, wrong, hand.snap != "all")
         except (Refused, Impossible, ZeroDivisionError, OverflowError, ValueError, KeyError):
             tally["cannot be drawn on"] += 1
             continue
@@ -122,9 +130,9 @@ def planted(case, ops, own, scale, hand, rng, count, only, tally):
         if alone and alone[0] < (1.3 * alone[1] if free else 0):
             tally["within what the hand may be off"] += 1
             continue
-        new, wrongs = changed, wrongs + [(wrong, kind)]
+        new, wrongs, alones = changed, wrongs + [(wrong, kind)], alones + [alone]
         if len(wrongs) == count:
-            return new, wrongs, moved
+            return new, wrongs, moved, alones
     return None
 
 
@@ -139,12 +147,12 @@ def sheet(case, seed, mistakes=0, only=(), tally=None, hand=None, symbolic=False
         hand = replace(hand, inserts=0.0)
         for op in ops:
             op.typed = False
-    new, wrongs, moved = ops, [], 0.0
+    new, wrongs, moved, alones = ops, [], 0.0, []
     if mistakes:
         made = planted(case, ops, d.names, scale, hand, rng, mistakes, only, tally)
         if made is None:
             return None
-        new, wrongs, moved = made
+        new, wrongs, moved, alones = made
 
     def wrong_of(i):
         kind = KINDS[rng.choice(sorted(KINDS))]
@@ -170,7 +178,7 @@ def sheet(case, seed, mistakes=0, only=(), tally=None, hand=None, symbolic=False
     if rng.random() < 0.3:
         drawing["did"] = [{**e, "t": 1500 * i} for i, e in enumerate(drawing["did"])]
     places = sorted(((drawn.index[id(op)], kind) for op, kind in wrongs), key=lambda pair: pair[0])
-    return Sheet(case, str(seed), hand, drawing, places, also_first(drawing["did"], places, d.names | d.loose), moved)
+    return Sheet(case, str(seed), hand, drawing, places, also_first(drawing["did"], places, d.names | d.loose), moved, alones)
 
 
 def also_first(did, places, own):
