@@ -178,19 +178,16 @@ def sheet(case, seed, mistakes=0, only=(), tally=None, hand=None, symbolic=False
     if rng.random() < 0.3:
         drawing["did"] = [{**e, "t": 1500 * i} for i, e in enumerate(drawing["did"])]
     places = sorted(((drawn.index[id(op)], kind) for op, kind in wrongs), key=lambda pair: pair[0])
-    return Sheet(case, str(seed), hand, drawing, places, also_first(drawing["did"], places, d.names | d.loose), moved, alones)
+    return Sheet(case, str(seed), hand, drawing, places, also_first(new, drawn.index, places, d.names | d.loose), moved, alones)
 
 
-def also_first(did, places, own):
+def also_first(ops, index, places, own):
     """Entries that may as well be called the first wrong one: what has a name of one's own has no right value but by the entry that
     uses it, so that may be blamed."""
     if not places:
         return set()
-    first = places[0][0]
-    entry = did[first]
-    kind = next(iter(entry))
-    if kind in ("line", "join", "solve") or entry[kind] not in own:
+    wrong = next(op for op in ops if index[id(op)] == places[0][0])
+    if wrong.kind in ("line", "join", "solve") or wrong.entry[wrong.kind] not in own:
         return set()
-    name = entry[kind]
-    users = [i for i, e in paper.standing(did) if i > first and any(n in (name, f"{e.get('on')}:{name}") for n in paper.needs(e))]
-    return set(users[:1])
+    made = set(paper.makes(wrong.entry))
+    return set(sorted(index[id(op)] for op in ops if op is not wrong and made & set(paper.needs(op.entry)))[:1])
