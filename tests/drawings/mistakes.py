@@ -17,13 +17,15 @@ class Unfit(Exception):
 
 
 class Kind:
-    def __init__(self, name, names, roles, change):
-        self.name, self.names, self.roles, self.change = name, set(names), set(roles), change
+    """`names` must be told, of `may` one may be told besides, or none."""
+
+    def __init__(self, name, names, roles, may, change):
+        self.name, self.names, self.roles, self.may, self.change = name, set(names), set(roles), set(may), change
 
 
-def kind(name, names, *roles):
+def kind(name, names, *roles, may=""):
     def register(change):
-        KINDS[name] = Kind(name, names.split(), roles, change)
+        KINDS[name] = Kind(name, names.split(), roles, may.split(), change)
         return change
     return register
 

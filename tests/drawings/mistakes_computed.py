@@ -29,13 +29,13 @@ def another_omega(p):
     return other and not p.amount.segment and p.amounts(rate=other) or None
 
 
-@kind("alpha-of-another-link", "", "tangential")
+@kind("alpha-of-another-link", "", "tangential", may="omega-of-another-link")
 def another_alpha(p):
     other = p.pick(p.rates("alpha", p.amount.rate))
     return other and p.amounts(rate=other)
 
 
-@kind("rate-of-another-link", "", "relative")
+@kind("rate-of-another-link", "", "relative", may="omega-of-another-link")
 def another_rate(p):
     other = p.pick(p.rates("omega", p.amount.rate))
     return other and p.amounts(rate=other)
@@ -217,7 +217,7 @@ def changed_row(p, change):
     return p.but(equations=[equation(row) for row in rows])
 
 
-@kind("wrong-sign-in-equation", "", "equations")
+@kind("wrong-sign-in-equation", "", "equations", may="wrong-sense")
 def wrong_sign(p):
     def change(row):
         terms, sign, segment = row

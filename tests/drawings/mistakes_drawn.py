@@ -84,7 +84,7 @@ def wrong_lines(p):
     return other_lines(p)
 
 
-@kind("wrong-rays-crossed", "", "cross")
+@kind("wrong-rays-crossed", "", "cross", may="wrong-lines ray-from-wrong-point")
 def wrong_rays(p):
     return other_lines(p)
 
@@ -163,13 +163,13 @@ def coriolis_along_guide(p):
     return p.but(along={"parallel": p.entry["along"]["normal"]}) if "lay_off" in p.entry else None
 
 
-@kind("angle-of-a-given-vector", "", "known")
+@kind("angle-of-a-given-vector", "", "known", may="turned-vector reversed-vector")
 def given_angle(p):
     angle = p.entry["along"]["angle"]
     return p.but(along={"angle": p.rng.choice([-angle, 90 - angle])}) if angle else None
 
 
-@kind("given-parts-swapped", "swapped", "known")
+@kind("part-along-the-other-axis", "", "known", may="turned-vector")
 def parts_swapped(p):
     angle = p.entry["along"]["angle"]
     return p.but(along={"angle": 90 - angle}) if angle in (0, 90) else None

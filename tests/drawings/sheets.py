@@ -58,7 +58,10 @@ def right_alone(case, scale, right, new, wrong, free):
         return abs(wrong.info.get("slip", lambda v: v)(abs(wrong.info["reading"](true))) - abs(true)) / mu, 0.9
     if "slip" in wrong.info:
         value = sheets.value(entry.get("as") or entry["size"])
-        return abs(wrong.info["slip"](value) / value - 1) if value else 0.0, 0.03
+        change, used = abs(wrong.info["slip"](value) - value), laid_on(wrong, new)
+        if used:
+            return change / sheets.scales[used], 0.9 + 0.03 * abs(value) / sheets.scales[used]
+        return change / abs(value) if value else 0.0, 0.03
     if kind in ("line", "join"):
         sheets.lines.pop(name, None)
         sheets.do(entry)
@@ -83,14 +86,19 @@ def right_alone(case, scale, right, new, wrong, free):
     if kind == "measure":
         mu = sheets.scales[entry["on"]]
         return max(c for c, _ in changes) / mu, 0.9
-    if "amount" in wrong.info:
-        used = next((op.entry["on"] for op in new if op.entry.get("size") == name), None)
-        if used:
-            change, size = max(changes)
-            return change / sheets.scales[used], 0.9 + 0.03 * size / sheets.scales[used]
+    if used := laid_on(wrong, new):
+        change, size = max(changes)
+        return change / sheets.scales[used], 0.9 + 0.03 * size / sheets.scales[used]
     # A rate comes from a segment, of which 0.9 mm may be off.
     mm = abs(sheets.number(wrong.info["segment"])) / sheets.scales[wrong.info["sheet"]] if wrong.info.get("segment") else 20
     return max((c / size if size else c) for c, size in changes), 0.03 + (0.9 / max(mm, 0.9) if free else 0)
+
+
+def laid_on(op, ops):
+    """The sheet on which a number is laid off."""
+    if "size" in op.entry:
+        return op.entry["on"]
+    return next((other.entry["on"] for other in ops if other.entry.get("size") == op.entry[op.kind]), None)
 
 
 def planted(case, ops, own, scale, hand, rng, count, only, tally):
@@ -149,6 +157,8 @@ def sheet(case, seed, mistakes=0, only=(), tally=None, hand=None, symbolic=False
             op.typed = False
     new, wrongs, moved, alones = ops, [], 0.0, []
     if mistakes:
+        # A crossing that is marked alone would hide what is wrong with its lines.
+        hand = replace(hand, marks=0.0)
         made = planted(case, ops, d.names, scale, hand, rng, mistakes, only, tally)
         if made is None:
             return None

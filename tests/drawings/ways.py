@@ -20,7 +20,9 @@ class Hand:
     stated   whether `through` and `along` stand at lines that are drawn free
     reads    whether lengths are read off and rounded, as with a ruler
     digits   of typed numbers
-    inserts  how often a quantity of a formula is written as its number"""
+    inserts  how often a quantity of a formula is written as its number
+    protractor   how often a direction is given in degrees, to a tenth
+    marks    how often a crossing is marked with nothing said of the lines, where points are free"""
 
     snap: str = "all"
     mm: float = 0.3
@@ -29,6 +31,8 @@ class Hand:
     reads: bool = False
     digits: int = 3
     inserts: float = 0.0
+    protractor: float = 0.0
+    marks: float = 0.0
 
 
 EXACT = Hand(digits=12)
@@ -37,7 +41,7 @@ EXACT = Hand(digits=12)
 def hand_of(rng):
     snap = rng.choice(["all", "points", "none"])
     return Hand(snap, stated=rng.random() < 0.5, reads=rng.random() < (0.3 if snap == "all" else 0.6), digits=rng.choice([3, 3, 4]),
-                inserts=rng.choice([0, 0, 0, 0, 0, 0.5]))
+                inserts=rng.choice([0, 0, 0, 0, 0, 0.5]), protractor=rng.choice([0, 0, 0, 0, 0.4]), marks=rng.choice([0, 0, 0.3]))
 
 
 # ---------------------------------------------------------------- order
@@ -144,8 +148,12 @@ class Drawing:
                 del entry["through"], entry["along"]
         if kind == "line" and hand.snap == "all" and "askew" in op.info:
             entry["along"] = {"angle": round(math.degrees(cmath.phase(self.exact(entry).lines[entry["line"]][2])) + op.info["askew"], 3)}
+        elif kind == "line" and hand.snap == "all" and self.rng.random() < hand.protractor:
+            entry["along"] = {"angle": round(math.degrees(cmath.phase(self.exact(entry).lines[entry["line"]][2])), 1)}
         if hand.snap == "none" and kind in ("cross", "lay_off"):
             entry["drawn"] = self.free_point(op, entry)
+            if kind == "cross" and self.rng.random() < hand.marks:
+                entry = {"mark": entry["cross"], "on": entry["on"], "drawn": entry["drawn"]}
         return entry
 
     def exact(self, entry):
