@@ -110,7 +110,16 @@ def other_segment(p, sheet, start, end):
     return p.pick(pairs)
 
 
+@kind("wrong-length-measured", "wrong-length wrong-segment", "measure")
+def wrong_length_measured(p):
+    return wrong_segment(p) if p.sheet == "scheme" else None
+
+
 @kind("wrong-segment", "wrong-segment", "measure")
+def wrong_segment_of_a_plan(p):
+    return wrong_segment(p) if p.sheet != "scheme" else None
+
+
 def wrong_segment(p):
     pair = other_segment(p, p.sheet, p.entry["from"], p.entry["to"])
     return pair and p.but(**{"from": pair[0], "to": pair[1]})
