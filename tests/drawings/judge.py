@@ -171,6 +171,53 @@ def every_prefix(options, folder):
     return 2 if failed else 0
 
 
+def garble(text, rng):
+    """A drawing with some of its parts lost, doubled, exchanged or made absurd."""
+    drawing = json.loads(text)
+    did = drawing["did"]
+    for _ in range(rng.randint(1, 4)):
+        i, k = rng.randrange(len(did)), rng.randrange(len(did))
+        way, keys = rng.randrange(7), list(did[i])
+        key = rng.choice(keys)
+        if way == 0:
+            del did[i]
+        elif way == 1:
+            did[i], did[k] = did[k], did[i]
+        elif way == 2:
+            did.insert(k, dict(did[i]))
+        elif way == 3:
+            did[i] = {**did[i], key: rng.choice([0, -1e300, "", "p", "b(", [], {}, ["b"], None, "1/0", "omega(99)", 1e17])}
+        elif way == 4:
+            did[i].pop(key)
+        elif way == 5:
+            did[i] = {**did[i], key: rng.choice(list(did[k].values()))}
+        else:
+            did.insert(i, {"undo": rng.choice([1, 2, 5, 10**9])})
+        if not did:
+            break
+    return json.dumps(drawing, ensure_ascii=False)
+
+
+def garbled(options, folder):
+    """Whether the program answers drawings that make no sense, in words."""
+    rng, asked, bad = random.Random(options.seed), 0, Counter()
+    for case in scenes.cases(options.kinegon, options.exercises, options.per_kind, options.only):
+        for n in range(options.garbled):
+            text = garble(json.dumps(sheets.sheet(case, f"{options.seed}-{n}", 0).drawing), rng)
+            path = Path(folder) / "garbled.json"
+            path.write_text(text, "utf-8")
+            run = subprocess.run([options.kinegon, "check", str(case.path), str(path), "--json"], capture_output=True, text=True)
+            asked += 1
+            if run.returncode not in (0, 1, 2) or run.returncode == 2 and not run.stderr.startswith("error"):
+                bad[f"{case.name} {n}: exit {run.returncode}: {run.stderr[:200]}"] += 1
+                if options.misses:
+                    Path(options.misses).mkdir(parents=True, exist_ok=True)
+                    (Path(options.misses) / f"{case.name}-{n}.json").write_text(text, "utf-8")
+    print(f"{asked} garbled drawings, {sum(bad.values())} without an answer in words")
+    print("\n".join(list(bad)[:10]))
+    return 2 if bad else 0
+
+
 # ---------------------------------------------------------------- self-test
 
 def self_test(options):
@@ -214,6 +261,7 @@ def main():
     parser.add_argument("--exercises", default="", help="a folder that keeps the exercises")
     parser.add_argument("--misses", help="a folder for the drawings that were judged wrongly")
     parser.add_argument("--prefixes", type=int, default=0, help="so many drawings of each scene are judged entry by entry, too")
+    parser.add_argument("--garbled", type=int, default=0, help="so many drawings of each scene with parts lost or exchanged")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--limits", action="store_true", help="exit 1 where first wrong < 95 %% (two mistakes: 90 %%), name < 90 %%, or an honest one is accused")
     parser.add_argument("--self-test", action="store_true")
@@ -225,6 +273,8 @@ def main():
             return self_test(options)
         if options.prefixes:
             return every_prefix(options, folder)
+        if options.garbled:
+            return garbled(options, folder)
         return report(*judge(options, folder), options)
 
 
