@@ -193,11 +193,12 @@ def sheet(case, seed, mistakes=0, only=(), tally=None, hand=None, symbolic=False
 
 def also_first(ops, index, places, own):
     """Entries that may as well be called the first wrong one: what has a name of one's own has no right value but by the entry that
-    uses it, so that may be blamed."""
-    if not places:
-        return set()
-    wrong = next(op for op in ops if index[id(op)] == places[0][0])
-    if wrong.kind in ("line", "join", "solve") or wrong.entry[wrong.kind] not in own:
-        return set()
-    made = set(paper.makes(wrong.entry))
-    return set(sorted(index[id(op)] for op in ops if op is not wrong and made & set(paper.needs(op.entry)))[:1])
+    uses it, so that may be blamed; and so on where that gives something of one's own again."""
+    out, op = set(), next((op for op in ops if places and index[id(op)] == places[0][0]), None)
+    while op and op.kind not in ("line", "join", "solve") and op.entry[op.kind] in own:
+        made = set(paper.makes(op.entry))
+        users = [other for other in ops if other is not op and made & set(paper.needs(other.entry))]
+        op = min(users, key=lambda other: index[id(other)], default=None)
+        if op:
+            out.add(index[id(op)])
+    return out
