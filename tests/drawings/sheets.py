@@ -201,4 +201,9 @@ def also_first(ops, index, places, own):
         op = min(users, key=lambda other: index[id(other)], default=None)
         if op:
             out.add(index[id(op)])
+    # A part that was forgotten may as well be missing in the point of one's own before it.
+    if places and places[0][1].name in ("normal-forgotten", "coriolis-forgotten"):
+        wrong = next(op for op in ops if index[id(op)] == places[0][0])
+        start = f"{wrong.entry['on']}:{wrong.entry.get('through') or wrong.entry.get('from')}"
+        out |= {index[id(op)] for op in ops if op.kind == "lay_off" and op.entry["lay_off"] in own and start in paper.makes(op.entry)}
     return out
