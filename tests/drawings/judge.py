@@ -155,20 +155,25 @@ def report(honest, planted, failed, tally, options):
 
 
 def every_prefix(options, folder):
-    """Whether each beginning of a drawing is judged, and says of an entry no more than that it is right or wrong."""
-    asked, failed = 0, Counter()
+    """Whether each beginning of a drawing is judged, and honest ones are not accused."""
+    asked, failed, accused = 0, Counter(), Counter()
     for case in scenes.cases(options.kinegon, options.exercises, options.per_kind, options.only):
         for n in range(options.prefixes):
             sheet = sheets.sheet(case, f"{options.seed}-{n}", n % 2) or sheets.sheet(case, f"{options.seed}-{n}", 0)
+            stays = {i for i, _ in paper.standing(sheet.drawing["did"])}
             for end in range(len(sheet.drawing["did"]) + 1):
                 begun = sheets.Sheet(case, sheet.seed, sheet.hand, {**sheet.drawing, "did": sheet.drawing["did"][:end]})
                 said = check(options.kinegon, folder, begun, 0)
                 asked += 1
-                failed[f"{case.name} {n}, {end} entries: {said}" if isinstance(said, str) else None] += 1
-    del failed[None]
-    print(f"{asked} beginnings of drawings, {sum(failed.values())} without an answer")
-    print("\n".join(list(failed)[:10]))
-    return 2 if failed else 0
+                if isinstance(said, str):
+                    failed[f"{case.name} {n}, {end} entries: {said}"] += 1
+                elif said.first in stays and not sheet.planted:
+                    accused[f"{case.name} {n}: entry {said.first}"] += 1
+                    if options.misses:
+                        keep_miss(options.misses, asked, said, f"an honest beginning of {end} entries is accused")
+    print(f"{asked} beginnings of drawings, {sum(failed.values())} without an answer, {sum(accused.values())} of honest ones accused")
+    print("\n".join(list(failed)[:10] + list(accused)[:10]))
+    return 2 if failed else 1 if accused else 0
 
 
 def garble(text, rng):
