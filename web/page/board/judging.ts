@@ -58,9 +58,10 @@ export function judging(app: App, model: Model): Judging {
 
   let before = "";
   model.known.on(() => {
-    // Of another drawing nothing is known; at once what the teacher lets be told at once.
-    if (seen() === before) return;
-    before = seen();
+    // Of another drawing nothing is known, and of one with another head all; at once what the teacher lets be told at once.
+    const did = JSON.stringify([app.solved.value.good, model.drawing().did]);
+    if (did === before) return;
+    before = did;
     stage = 0;
     verdicts.set(null);
     model.shown.set(null);
@@ -75,10 +76,7 @@ export function judging(app: App, model: Model): Judging {
       stage = Math.min(stage + 1, STAGES);
       try {
         const hint = await app.engine.board_hint(app.solved.value.good, seen(), stage);
-        const at = stage;
         model.head({ hints: (model.drawing().hints ?? 0) + 1 });
-        before = seen();
-        stage = at;
         if (hint.sheet != null && hint.ghost.length > 0) model.shown.set({ sheet: hint.sheet, ghost: hint.ghost, kind: "hint" });
         tell(hint.words);
       } catch (refused) {
