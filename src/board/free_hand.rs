@@ -2,7 +2,8 @@
 
 use super::alone::Held;
 use super::bench::{Bench, Found};
-use super::file::{Cross, Direction, Entry, LayOff, Line, Measure};
+use super::direction::Direction;
+use super::file::{Cross, Entry, LayOff, Line, Measure};
 use super::given::image;
 use super::says;
 use super::table::{DrawnLine, Made};

@@ -54,7 +54,7 @@ impl Screen {
             Made::Line(_, line) => Some(line.sheet),
             Made::Numbers(_) => None,
         };
-        let what = super::bench::things(&made).into_iter().map(|(_, name)| name).collect::<Vec<_>>().join(", ");
+        let what = super::table::things(&made).into_iter().map(|(_, name)| name).collect::<Vec<_>>().join(", ");
         let words = match stage {
             ..=1 => match (&made, sheet) {
                 (Made::Line(..), Some(sheet)) => says::next_line(crate::words::sheet_told(sheet)),

@@ -1,6 +1,5 @@
 //! The judge of drawings, and what it finds.
 
-use super::bench::Bench;
 use super::file::{Cross, Entry, HandDrawing};
 use super::given::Given;
 use super::others::others;
@@ -152,14 +151,6 @@ impl Judge {
             table.put(made);
         }
         found
-    }
-
-    /// The verdicts on a drawing's entries.
-    ///
-    /// # Errors
-    /// The first entry that cannot be carried out.
-    pub fn judge(&self, drawing: &HandDrawing) -> Result<JudgedDrawing, BoardError> {
-        Bench::new(self, drawing).judged(drawing)
     }
 }
 

@@ -15,7 +15,10 @@
 
 mod alone;
 mod bench;
+mod blame;
 mod cause;
+mod direction;
+mod equations;
 mod file;
 mod form;
 mod formula;
@@ -34,9 +37,10 @@ mod table;
 mod told;
 mod writes;
 
+pub use direction::Direction;
 pub use file::{
-    Compute, Cross, Direction, Entry, HandDrawing, Join, LayOff, Like, Line, MOST_ENTRIES, Mark, Measure, Sense, Snap,
-    Solve, Undo, drawing_schema,
+    Compute, Cross, Entry, HandDrawing, Join, LayOff, Like, Line, MOST_ENTRIES, Mark, Measure, Sense, Snap, Solve,
+    Undo, drawing_schema,
 };
 pub use formula::Formula;
 pub use given::Given;

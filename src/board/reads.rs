@@ -1,10 +1,10 @@
 //! Which things an entry reads.
 
-use super::bench::Thing;
-use super::file::{Compute, Cross, Direction, Entry, Join, LayOff, Like, Line, Measure, Solve};
+use super::direction::Direction;
+use super::file::{Compute, Cross, Entry, Join, LayOff, Like, Line, Measure, Solve};
 use super::formula::Formula;
 use super::given::{image, usual};
-use super::table::Table;
+use super::table::{Table, Thing};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 

@@ -1,11 +1,10 @@
 //! A drawing as a board on a screen shows it: its sheets, what can be pointed at, the numbers beside them, names to choose from.
 //! Places are in millimetres of a sheet from its upper left corner, y down, as in its picture.
 
-use super::bench::things;
 use super::file::{Entry, HandDrawing, LayOff};
 use super::judge::{BoardError, Judge, JudgedDrawing, Verdict};
 use super::reads::reads;
-use super::table::{DrawnLine, Made, Table};
+use super::table::{DrawnLine, Made, Table, things};
 use crate::drawing::{
     Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, RichText, SheetLabels, hand_sheet,
     hand_sheets,

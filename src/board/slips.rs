@@ -1,7 +1,8 @@
 //! Slips within one operation: another number in its formula, a factor, a sign, another point, a misread ruler. Each is undone, and where
 //! the operation is right then, it was that.
 
-use super::file::{Compute, Direction, Entry, LayOff, Like, Measure, Solve};
+use super::direction::Direction;
+use super::file::{Compute, Entry, LayOff, Like, Measure, Solve};
 use super::formula::Formula;
 use super::table::{Made, Table};
 use crate::check::Told;
@@ -113,7 +114,7 @@ impl Slip<'_, '_> {
                 let mut number = |own: &str| match unknown(own) {
                     _ if own == exchanged => Ok(by),
                     Some(number) => Ok(number),
-                    None => self.table.formula_number(own),
+                    None => self.table.number(own),
                 };
                 let [a, b] = [left.value(&mut number).ok()?, other.value(&mut number).ok()?];
                 Some((a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE))
@@ -181,7 +182,7 @@ impl Slip<'_, '_> {
     /// A formula in which one number stands for another: it is exchanged until the formula is right.
     fn formula(&self, formula: &Formula, name: &str, right: f64) -> Option<Told> {
         let value = |exchanged: &str, by: f64| {
-            formula.value(&mut |own| if own == exchanged { Ok(by) } else { self.table.formula_number(own) }).ok()
+            formula.value(&mut |own| if own == exchanged { Ok(by) } else { self.table.number(own) }).ok()
         };
         let is_right =
             |exchanged: &str, by: f64| value(exchanged, by).is_some_and(|x| self.is_same(x.abs(), right.abs()));
@@ -192,7 +193,7 @@ impl Slip<'_, '_> {
         let omegas: Vec<String> = mechanism.links().map(|(_, body)| format!("omega({})", body.name)).collect();
         for own in formula.names() {
             let Some(quantity) = QuantityName::parse(own) else { continue };
-            let Ok(now) = self.table.formula_number(own) else { continue };
+            let Ok(now) = self.table.number(own) else { continue };
             match quantity.head {
                 Head::Omega => {
                     if is_right(own, now * now) {

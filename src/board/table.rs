@@ -1,6 +1,7 @@
 //! The things that a hand has made so far, by their names, and how one more entry is carried out with them.
 
-use super::file::{Compute, Cross, Direction, Entry, Join, LayOff, Like, Line, Mark, Measure, Solve};
+use super::direction::Direction;
+use super::file::{Compute, Cross, Entry, Join, LayOff, Like, Line, Mark, Measure};
 use super::formula::Formula;
 use super::given::{Given, image, usual};
 use super::says;
@@ -9,7 +10,6 @@ use crate::message::Message;
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, PerSheet, Sheet};
 use indexmap::IndexMap;
-use nalgebra::{DMatrix, DVector};
 use std::cell::RefCell;
 
 /// A line on a sheet: a place of it and its unit direction, in units of the sheet.
@@ -41,6 +41,18 @@ pub enum Made {
     Line(String, DrawnLine),
     /// Numbers with their names.
     Numbers(Vec<(String, f64)>),
+}
+
+/// A thing by its sheet, where it has one, and its name.
+pub(super) type Thing = (Option<Sheet>, String);
+
+/// The things that are made.
+pub(super) fn things(made: &Made) -> Vec<Thing> {
+    match made {
+        Made::Place(sheet, name, _) => vec![(Some(*sheet), usual(*sheet, name).to_owned())],
+        Made::Line(name, _) => vec![(None, name.clone())],
+        Made::Numbers(all) => all.iter().map(|(name, _)| (None, name.clone())).collect(),
+    }
 }
 
 /// The things on the sheets and the numbers beside them, by name, in one scene: those of the hand, or the right ones.
@@ -181,7 +193,7 @@ impl<'g> Table<'g> {
         if free { Ok(name.to_owned()) } else { Err(says::taken(name)) }
     }
 
-    fn new_number(&self, name: &str) -> Result<String, Message> {
+    pub(super) fn new_number(&self, name: &str) -> Result<String, Message> {
         let name: String = name.chars().filter(|c| !c.is_whitespace()).collect();
         let free = !self.numbers.contains_key(&name) && self.given.given_number(&name).is_none();
         // What is no quantity is a plain word.
@@ -325,69 +337,6 @@ impl<'g> Table<'g> {
         Ok(Made::Numbers(vec![(self.new_number(compute)?, number)]))
     }
 
-    /// What remains of each equation of [`Solve`] with these numbers for its unknowns, over the sum of its terms' sizes.
-    pub(super) fn residuals(&self, entry: &Solve, unknowns: &[f64]) -> Result<Vec<f64>, Message> {
-        let names = self.unknowns(entry);
-        let remains = |text: &String| {
-            let [left, right] = &Formula::sides(text)?;
-            let [a, b] = [self.with(left, &names, unknowns)?, self.with(right, &names, unknowns)?];
-            // The size of the terms: that of either side, and how far it moves with each unknown.
-            let mut size = a.abs().max(b.abs());
-            for at in 0..unknowns.len() {
-                let mut without = unknowns.to_vec();
-                without[at] = 0.0;
-                let [c, d] = [self.with(left, &names, &without)?, self.with(right, &names, &without)?];
-                size = size.max((a - c).abs()).max((b - d).abs());
-            }
-            Ok(if size == 0.0 { 0.0 } else { (a - b) / size })
-        };
-        entry.equations.iter().map(remains).collect()
-    }
-
-    fn unknowns(&self, Solve { solve, .. }: &Solve) -> Vec<String> {
-        solve.iter().map(|name| name.chars().filter(|c| !c.is_whitespace()).collect()).collect()
-    }
-
-    /// A formula's value with numbers in place of some names.
-    fn with(&self, formula: &Formula, names: &[String], numbers: &[f64]) -> Result<f64, Message> {
-        formula.value(&mut |name| match names.iter().position(|own| own == name) {
-            Some(at) => Ok(numbers[at]),
-            None => self.number(name),
-        })
-    }
-
-    fn solve(&self, entry: &Solve) -> Result<Made, Message> {
-        let names = self.unknowns(entry);
-        let new: Vec<String> = names.iter().map(|name| self.new_number(name)).collect::<Result<_, _>>()?;
-        let count = names.len();
-        let mut matrix = DMatrix::<f64>::zeros(count, count);
-        let mut sides = DVector::<f64>::zeros(count);
-        for (row, text) in entry.equations.iter().enumerate() {
-            let [left, right] = &Formula::sides(text)?;
-            let remains = |numbers: &[f64]| -> Result<f64, Message> {
-                Ok(self.with(left, &names, numbers)? - self.with(right, &names, numbers)?)
-            };
-            let zero = vec![0.0; count];
-            let at_zero = remains(&zero)?;
-            let (mut sum, mut all) = (at_zero, at_zero.abs());
-            for column in 0..count {
-                let mut one = zero.clone();
-                one[column] = 1.0;
-                matrix[(row, column)] = remains(&one)? - at_zero;
-                sum += 2.0 * matrix[(row, column)];
-                all += matrix[(row, column)].abs();
-            }
-            let two = remains(&vec![2.0; count])?;
-            if (two - sum).abs() > 1e-9 * all {
-                return Err(says::not_linear(text));
-            }
-            sides[row] = -at_zero;
-        }
-        let solved = matrix.full_piv_lu().solve(&sides).filter(|solved| solved.iter().all(|x| x.is_finite()));
-        let solved = solved.ok_or_else(says::no_solution)?;
-        Ok(Made::Numbers(new.into_iter().zip(solved.iter().copied()).collect()))
-    }
-
     /// The value of a formula.
     ///
     /// # Errors
@@ -398,7 +347,10 @@ impl<'g> Table<'g> {
     }
 
     /// A number by its name, with the other sign where a judge asks for that.
-    fn number(&self, name: &str) -> Result<f64, Message> {
+    ///
+    /// # Errors
+    /// It is not known yet.
+    pub(super) fn number(&self, name: &str) -> Result<f64, Message> {
         let number = self.number_as_is(name).ok_or_else(|| says::no_number(name))?;
         Ok(if self.turned.borrow().iter().any(|turned| turned == name) { -number } else { number })
     }
@@ -425,14 +377,6 @@ impl<'g> Table<'g> {
             }
         }
         names
-    }
-
-    /// A number of a formula.
-    ///
-    /// # Errors
-    /// It is not known yet.
-    pub(super) fn formula_number(&self, name: &str) -> Result<f64, Message> {
-        self.number(name)
     }
 
     /// The value of a number that a formula may use; `None` where it is not known yet.

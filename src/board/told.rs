@@ -1,8 +1,7 @@
 //! What entries and verdicts say, in a language; and the result as JSON.
 
-use super::file::{
-    Compute, Cross, Direction, Entry, HandDrawing, Join, LayOff, Like, Line, Mark, Measure, Solve, Undo,
-};
+use super::direction::Direction;
+use super::file::{Compute, Cross, Entry, HandDrawing, Join, LayOff, Like, Line, Mark, Measure, Solve, Undo};
 use super::judge::{Judge, JudgedDrawing, Verdict, Wrong};
 use super::says;
 use crate::message::Message;
