@@ -81,6 +81,13 @@ function builds(app: App): { show(is: boolean): void } {
     event.stopPropagation();
   });
 
+  /** In a demonstration there is something to look at from the beginning; else the own drawing. */
+  function look(): void {
+    own.looked.set(null);
+    own.until.set(null);
+    if (!root.hidden && own.use().mode === "demonstration") void demonstrate(app, own);
+  }
+  app.board.on(look);
   let opener: Element | null = null;
   return {
     show(is) {
@@ -92,7 +99,7 @@ function builds(app: App): { show(is: boolean): void } {
       if (!is) return void (opener instanceof HTMLElement && opener.isConnected && opener.focus({ preventScroll: true }));
       fits();
       own.choose(own.tool.value);
-      if (own.use().mode === "demonstration") void demonstrate(app, own);
+      look();
       back();
     },
   };
@@ -144,6 +151,7 @@ function head(app: App, own: Model, told: ReturnType<typeof judging>, drawer: HT
     const { mode } = own.use();
     hint.hidden = check.hidden = mode !== "practice" || own.looked.value !== null;
     handIn.hidden = mode !== "exam" || own.looked.value !== null;
+    undo.hidden = redo.hidden = mode === "demonstration" || own.looked.value !== null;
   };
   app.board.on(allow);
   own.looked.on(allow);

@@ -172,7 +172,8 @@ export function strip(model: Model, back: () => void): Strip {
   }
 
   function chipsOf(takes: Takes, known: Board, on: string): { name: string; label: string; value: string }[] {
-    if (takes === "formula" || takes === "formulas") return known.numbers.map(({ name, label, value, unit }) => ({ name, label, value: `${value} ${unit}`.trim() }));
+    // What was found last comes first.
+    if (takes === "formula" || takes === "formulas") return known.numbers.toSorted((a, b) => (b.entry ?? -1) - (a.entry ?? -1)).map(({ name, label, value, unit }) => ({ name, label, value: `${value} ${unit}`.trim() }));
     const kind = takes === "point_name" ? "point" : takes === "number_name" || takes === "names" ? "number" : "";
     const sheet = takes === "point_name" ? onOfName(on) : null;
     const own = takes === "point_name" ? known.free.point : takes === "number_name" ? known.free.number : "";
