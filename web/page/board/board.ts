@@ -44,7 +44,7 @@ function builds(app: App): { show(is: boolean): void } {
   const below = strip(own, back);
   const sheets = element("div", { class: "sheets" }, ...stages.map(({ root }) => root));
   const drawer = element("div", { class: "drawer" }, list(own, told));
-  const root = element("section", { id: "board", hidden: true }, head(app, own, told, drawer), rail(own), sheets, drawer, replay(app, own), below.root);
+  const root = element("section", { id: "board", hidden: true }, worded(element("h1", { class: "unseen" }), () => say("title")), head(app, own, told, drawer), rail(own), sheets, drawer, replay(app, own), below.root);
   worded(root, () => say("title"), "aria-label");
   document.body.append(root);
   hands(app, own, stages);
@@ -134,7 +134,8 @@ function head(app: App, own: Model, told: ReturnType<typeof judging>, drawer: HT
   const redo = tool("redo", "redo", () => void own.inTurn(own.redo), "board-redo");
   own.canUndo.on((can) => (undo.disabled = !can));
   own.canRedo.on((can) => (redo.disabled = !can));
-  const given = element("p", { class: "given" });
+  // What is scrolled is reached by keys, too.
+  const given = element("p", { class: "given", tabindex: 0 });
   own.known.on((known) => (given.innerHTML = known?.given.map(({ label, value, unit }) => `<span>${label} = ${value} ${unit}</span>`).join(" ") ?? ""));
   const asks = (saying: Saying, pictogram: string, press: () => void, id: string): HTMLButtonElement => {
     const made = tool(saying, pictogram, press, id);

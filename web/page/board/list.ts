@@ -13,7 +13,7 @@ const SIGNS: Record<JudgedEntry["verdict"], string> = { right: "âœ“", wrong: "âœ
 export function list(model: Model, judging: Judging): HTMLElement {
   const items = element("ol");
   const none = worded(element("p", { class: "quiet" }), () => say("list_none"));
-  const root = element("section", { class: "list", "aria-labelledby": "board-list-title" }, worded(element("h3", { id: "board-list-title" }), () => say("list")), none, items);
+  const root = element("section", { class: "list", "aria-labelledby": "board-list-title" }, worded(element("h2", { id: "board-list-title" }), () => say("list")), none, items);
   let chosen = -1;
 
   function choose(index: number): void {

@@ -27,7 +27,7 @@ export interface Strip {
 export function strip(model: Model, back: () => void): Strip {
   const form = element("form", { class: "entry-form", id: "board-entry", autocomplete: "off" });
   const chips = element("div", { class: "chips", role: "group" });
-  const says = element("p", { class: "says", role: "status" });
+  const says = element("p", { class: "says", role: "status", tabindex: 0 });
   const draw = button(() => say("write"), () => undefined, { type: "submit", form: "board-entry", class: "main" });
   const root = element("div", { class: "strip" }, says, form, draw, chips);
   /** The boxes of the present sentence by their blanks. */
