@@ -281,7 +281,11 @@ impl Press<'_> {
                 let at = self.paper.at(place);
                 // Of several points on the edge the one next to the press is meant.
                 let distance = off(place) + 1e-3 * self.distance(at);
-                (distance, self.snapped(self.entry("through", json!(name)), name.to_owned(), at))
+                let mut snapped = self.snapped(self.entry("through", json!(name)), name.to_owned(), at);
+                // The set square slides with the hand, its edge on the line.
+                let edge = [at, self.paper.at(place + direction * self.paper.mu)];
+                snapped.ghost.push(square(&edge, at, true));
+                (distance, snapped)
             })
             .collect();
         if self.snap != Snap::All {

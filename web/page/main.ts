@@ -160,10 +160,10 @@ function watchAddress(app: App, store: Store): void {
     if (found === null) return;
     if (typeof found === "string") return notice(badLink(found));
     app.history.change({ text: found.text, form: found.form ?? "", drawing: found.drawing ?? "" });
-    app.board.set(found.board ?? null);
     app.view.set(found.view ?? FINISHED);
     app.student.set(found.student ?? false);
     app.task.set(found.task ?? null);
+    app.board.set(found.board ?? null);
     store.keep(asKept(app), app.history.past());
     if (found.panel !== undefined) app.show(found.panel);
   };
@@ -202,9 +202,9 @@ function offer(app: App, kept: Kept): void {
 /** Goes on with what was kept. */
 function takeUp(app: App, { text, form, drawing = "", student, task, board }: Kept): void {
   app.history.change({ text, form, drawing });
-  app.board.set(board ?? null);
   app.student.set(student ?? false);
   app.task.set(task ?? null);
+  app.board.set(board ?? null);
 }
 
 async function start(): Promise<void> {

@@ -44,7 +44,7 @@ function builds(app: App): { show(is: boolean): void } {
   const below = strip(own, back);
   const sheets = element("div", { class: "sheets" }, ...stages.map(({ root }) => root));
   const drawer = element("div", { class: "drawer" }, list(own, told));
-  const root = element("section", { id: "board", hidden: true }, head(app, own, told, drawer), rail(own), sheets, drawer, replay(app, own), below.root);
+  const root = element("section", { id: "board", hidden: true }, worded(element("h1", { class: "unseen" }), () => say("title")), head(app, own, told, drawer), rail(own), sheets, drawer, replay(app, own), below.root);
   worded(root, () => say("title"), "aria-label");
   document.body.append(root);
   hands(app, own, stages);
@@ -81,6 +81,13 @@ function builds(app: App): { show(is: boolean): void } {
     event.stopPropagation();
   });
 
+  /** In a demonstration there is something to look at from the beginning; else the own drawing. */
+  function look(): void {
+    own.looked.set(null);
+    own.until.set(null);
+    if (!root.hidden && own.use().mode === "demonstration") void demonstrate(app, own);
+  }
+  app.board.on(look);
   let opener: Element | null = null;
   return {
     show(is) {
@@ -92,7 +99,7 @@ function builds(app: App): { show(is: boolean): void } {
       if (!is) return void (opener instanceof HTMLElement && opener.isConnected && opener.focus({ preventScroll: true }));
       fits();
       own.choose(own.tool.value);
-      if (own.use().mode === "demonstration") void demonstrate(app, own);
+      look();
       back();
     },
   };
@@ -127,7 +134,8 @@ function head(app: App, own: Model, told: ReturnType<typeof judging>, drawer: HT
   const redo = tool("redo", "redo", () => void own.inTurn(own.redo), "board-redo");
   own.canUndo.on((can) => (undo.disabled = !can));
   own.canRedo.on((can) => (redo.disabled = !can));
-  const given = element("p", { class: "given" });
+  // What is scrolled is reached by keys, too.
+  const given = element("p", { class: "given", tabindex: 0 });
   own.known.on((known) => (given.innerHTML = known?.given.map(({ label, value, unit }) => `<span>${label} = ${value} ${unit}</span>`).join(" ") ?? ""));
   const asks = (saying: Saying, pictogram: string, press: () => void, id: string): HTMLButtonElement => {
     const made = tool(saying, pictogram, press, id);
@@ -144,6 +152,7 @@ function head(app: App, own: Model, told: ReturnType<typeof judging>, drawer: HT
     const { mode } = own.use();
     hint.hidden = check.hidden = mode !== "practice" || own.looked.value !== null;
     handIn.hidden = mode !== "exam" || own.looked.value !== null;
+    undo.hidden = redo.hidden = mode === "demonstration" || own.looked.value !== null;
   };
   app.board.on(allow);
   own.looked.on(allow);

@@ -25,9 +25,11 @@ export interface Judging {
 /** Stages of a hint: where, by which relation, the operation itself. */
 const STAGES = 3;
 
-/** What is wrong with an entry, what was probably done, and what it should be. */
-export function whyOf({ says, done, should }: JudgedEntry): string[] {
-  return [says, done, should].filter((words): words is string => words != null && words !== "");
+/** What is wrong with an entry, what was probably done, and what it should be: one sentence. */
+export function whyOf({ says, done, should }: JudgedEntry): string {
+  const there = (words: string | null | undefined): words is string => words != null && words !== "";
+  const why = [says, [done, should].filter(there).join("; ")].filter(there).join(": ");
+  return why === "" ? "" : `${why}.`;
 }
 
 export function judging(app: App, model: Model): Judging {
@@ -46,7 +48,7 @@ export function judging(app: App, model: Model): Judging {
       if (of !== seen()) return;
       verdicts.set(judged);
       const wrong = judged.first_wrong == null ? undefined : judged.entries[judged.first_wrong];
-      if (wrong !== undefined) tell([say("first_wrong", { number: standing(model.drawing().did).indexOf(wrong.index) + 1 }), ...whyOf(wrong)].join(" "), true);
+      if (wrong !== undefined) tell([say("first_wrong", { number: standing(model.drawing().did).indexOf(wrong.index) + 1 }), whyOf(wrong)].join(" "), true);
       else if (isAsked) tell(judged.is_complete ? say("all_right") : say("right_so_far"));
     } catch (refused) {
       tell(said(refused), true);
@@ -58,9 +60,10 @@ export function judging(app: App, model: Model): Judging {
 
   let before = "";
   model.known.on(() => {
-    // Of another drawing nothing is known; at once what the teacher lets be told at once.
-    if (seen() === before) return;
-    before = seen();
+    // Of another drawing nothing is known, and of one with another head all; at once what the teacher lets be told at once.
+    const did = JSON.stringify([app.solved.value.good, model.drawing().did]);
+    if (did === before) return;
+    before = did;
     stage = 0;
     verdicts.set(null);
     model.shown.set(null);
@@ -75,10 +78,7 @@ export function judging(app: App, model: Model): Judging {
       stage = Math.min(stage + 1, STAGES);
       try {
         const hint = await app.engine.board_hint(app.solved.value.good, seen(), stage);
-        const at = stage;
         model.head({ hints: (model.drawing().hints ?? 0) + 1 });
-        before = seen();
-        stage = at;
         if (hint.sheet != null && hint.ghost.length > 0) model.shown.set({ sheet: hint.sheet, ghost: hint.ghost, kind: "hint" });
         tell(hint.words);
       } catch (refused) {

@@ -13,7 +13,7 @@ const SIGNS: Record<JudgedEntry["verdict"], string> = { right: "âœ“", wrong: "âœ
 export function list(model: Model, judging: Judging): HTMLElement {
   const items = element("ol");
   const none = worded(element("p", { class: "quiet" }), () => say("list_none"));
-  const root = element("section", { class: "list", "aria-labelledby": "board-list-title" }, worded(element("h3", { id: "board-list-title" }), () => say("list")), none, items);
+  const root = element("section", { class: "list", "aria-labelledby": "board-list-title" }, worded(element("h2", { id: "board-list-title" }), () => say("list")), none, items);
   let chosen = -1;
 
   function choose(index: number): void {
@@ -37,7 +37,7 @@ export function list(model: Model, judging: Judging): HTMLElement {
       const isFirst = judging.verdicts.value?.first_wrong === index;
       const sign = verdict === undefined || !entry.stands ? null : element("span", { class: "sign", role: "img", "aria-label": say(`is_${verdict.verdict}`) }, SIGNS[verdict.verdict]);
       const head = element("button", { type: "button", "data-entry": index, "aria-pressed": String(index === chosen), onclick: () => choose(index) }, element("span", { class: "number" }, entry.stands ? String(numbers.indexOf(index) + 1) : ""), element("span", { class: "what" }, entry.words), sign);
-      const more = isFirst || (verdict?.verdict === "wrong" && index === chosen) ? element("p", { class: "why" }, verdict === undefined ? "" : whyOf(verdict).join(" ")) : null;
+      const more = isFirst || (verdict?.verdict === "wrong" && index === chosen) ? element("p", { class: "why" }, verdict === undefined ? "" : whyOf(verdict)) : null;
       const back = index === chosen && !isLooking ? element("button", { type: "button", class: "back-to", onclick: () => void model.inTurn(() => model.undoFrom(index)) }, say("back_to_here")) : null;
       return [element("li", { class: `${verdict?.verdict ?? ""}${entry.stands ? "" : " undone"}${isFirst ? " first" : ""}` }, head, more, back)];
     });

@@ -80,17 +80,19 @@ export function model(app: App): Model {
   const scene = (): string => app.solved.value.good;
   const text = (): string => app.history.now.value.drawing ?? "";
   const drawing = (): Drawing => drawingOf(known.value?.drawing ?? text()) ?? { kinegon_drawing: 1, did: [] };
-  /** A drawing to begin with: of which exercise it is, by whom, and what the hand is helped with. */
-  function empty(): string {
-    const { exercise, name } = formFile(app.history.now.value.form) ?? {};
-    return drawingText({ kinegon_drawing: 1, ...(name && { name }), ...(exercise && { exercise }), snap: use().snap, did: [] });
-  }
   const use = (): BoardUse => app.board.value ?? USUAL;
 
   function show(next: Board): void {
     known.set(next);
     canUndo.set(standing(drawing().did).length > 0);
     canRedo.set(undone.length > 0);
+  }
+
+  /** An empty drawing with its exercise, whose it is, and what the hand is helped with. */
+  function begunWith(empty: string): string {
+    const { exercise, name } = formFile(app.history.now.value.form) ?? {};
+    const { did = [], ...head } = drawingOf(empty) ?? { kinegon_drawing: 1 as const };
+    return drawingText({ ...head, ...(name && { name }), ...(exercise && { exercise }), snap: use().snap, did });
   }
 
   /** Another drawing comes in place of this one, which can be had back. */
@@ -103,7 +105,8 @@ export function model(app: App): Model {
   const asking = newest(async (of: string) => {
     if (scene() === "") return;
     try {
-      show(await app.engine.board(scene(), of));
+      const found = await app.engine.board(scene(), of);
+      show(of === "" ? await app.engine.board(scene(), begunWith(found.drawing)) : found);
     } catch (refused) {
       says.set({ text: said(refused), isBad: true });
     }
@@ -262,7 +265,7 @@ export function model(app: App): Model {
   let last = "";
   const follow = (): void => {
     if (!app.drawing.value || scene() === "") return;
-    const wanted = looked.value ?? (text() || empty());
+    const wanted = looked.value ?? text();
     const now = `${scene()}\n${wanted}`;
     if (now === last) return;
     const isOtherScene = !last.startsWith(`${scene()}\n`);

@@ -7,7 +7,7 @@ import { name } from "../layout/say.ts";
 import { isDark } from "../layout/theme.ts";
 import { viewport, type Viewport } from "../look/viewport.ts";
 import { forDark } from "../picture/dark.ts";
-import { fill } from "../picture/sheet.ts";
+import { fill, withoutPaper } from "../picture/sheet.ts";
 import { said } from "../refused.ts";
 import { called, type Sheet } from "../sheets.ts";
 import { newest } from "../state/newest.ts";
@@ -67,7 +67,7 @@ export function stage(app: App, model: Model, judging: Judging, sheet: Sheet): S
     const letters = view.now.value.scale * PRINTED < READ ? READ / view.now.value.scale : null;
     try {
       const picture = await app.engine.board_picture(good, model.known.value?.drawing ?? "", { sheet, until, letters, judged: judging.verdicts.value !== null });
-      svg = picture.svg;
+      svg = withoutPaper(picture.svg);
       paint();
     } catch (refused) {
       model.says.set({ text: said(refused), isBad: true });

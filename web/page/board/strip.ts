@@ -27,7 +27,7 @@ export interface Strip {
 export function strip(model: Model, back: () => void): Strip {
   const form = element("form", { class: "entry-form", id: "board-entry", autocomplete: "off" });
   const chips = element("div", { class: "chips", role: "group" });
-  const says = element("p", { class: "says", role: "status" });
+  const says = element("p", { class: "says", role: "status", tabindex: 0 });
   const draw = button(() => say("write"), () => undefined, { type: "submit", form: "board-entry", class: "main" });
   const root = element("div", { class: "strip" }, says, form, draw, chips);
   /** The boxes of the present sentence by their blanks. */
@@ -172,7 +172,8 @@ export function strip(model: Model, back: () => void): Strip {
   }
 
   function chipsOf(takes: Takes, known: Board, on: string): { name: string; label: string; value: string }[] {
-    if (takes === "formula" || takes === "formulas") return known.numbers.map(({ name, label, value, unit }) => ({ name, label, value: `${value} ${unit}`.trim() }));
+    // What was found last comes first.
+    if (takes === "formula" || takes === "formulas") return known.numbers.toSorted((a, b) => (b.entry ?? -1) - (a.entry ?? -1)).map(({ name, label, value, unit }) => ({ name, label, value: `${value} ${unit}`.trim() }));
     const kind = takes === "point_name" ? "point" : takes === "number_name" || takes === "names" ? "number" : "";
     const sheet = takes === "point_name" ? onOfName(on) : null;
     const own = takes === "point_name" ? known.free.point : takes === "number_name" ? known.free.number : "";

@@ -5,7 +5,7 @@ import { name } from "../layout/say.ts";
 import { isDark } from "../layout/theme.ts";
 import { unitsOf } from "../panels/parts/scene.ts";
 import { forDark } from "../picture/dark.ts";
-import { fill } from "../picture/sheet.ts";
+import { fill, withoutPaper } from "../picture/sheet.ts";
 import { language } from "../words.ts";
 import { buildKeys } from "./keys.ts";
 import { crossShape } from "./cross.ts";
@@ -16,9 +16,6 @@ import { placesIn, type Model, type Shown } from "./model.ts";
 import type { Pixels, Place } from "./sight.ts";
 import { degrees, type Press } from "./tools.ts";
 import { say } from "./words.ts";
-
-/** The white of the sheet: behind the mechanism are grid and photograph. */
-const WHITE = /<rect [^>]*fill="#ffffff"[^>]*\/>/;
 
 export interface Stage {
   focus(): void;
@@ -45,7 +42,8 @@ export function stage(app: App, model: Model, field: HTMLElement, menu: (press: 
 
   function drawn(shown: Shown | null): void {
     if (shown === null) return picture.replaceChildren();
-    const svg = shown.drafted.svg.replace(WHITE, "");
+    // Behind the mechanism are grid and photograph.
+    const svg = withoutPaper(shown.drafted.svg);
     fill(picture, isDark.value ? forDark(svg) : svg);
     picture.setAttribute("viewBox", `0 0 ${shown.drafted.width} ${shown.drafted.height}`);
     name(over as unknown as HTMLElement, say("stage", { count: shown.drafted.points.length }));
