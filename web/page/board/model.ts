@@ -8,7 +8,7 @@ import { signal, type Signal } from "../state/signal.ts";
 import type { BoardUse } from "../state/address.ts";
 import { drawingOf, drawingText, standing, type Drawing, type Entry } from "./file.ts";
 import { begun, lacking, slotsOf, type Tool } from "./tools.ts";
-import type { Board, Ghost, Snap } from "./types.ts";
+import type { Board, Ghost, Snapped } from "../engine/types.ts";
 import { say } from "./words.ts";
 
 /** What is shown over a sheet besides what is drawn. */
@@ -44,7 +44,7 @@ export interface Model {
   /** Another value in the entry under way. */
   fill(entry: Entry): void;
   /** Takes what a press has added: the entry is written where all is said. */
-  take(snap: Snap): Promise<boolean>;
+  take(snap: Snapped): Promise<boolean>;
   /** Writes the entry under way, with a name of the board's own where one may be missing. */
   write(): Promise<boolean>;
   undo(): Promise<void>;
@@ -216,8 +216,9 @@ export function model(app: App): Model {
       if (says.value.isBad) says.set({ text: "", isBad: false });
     },
     async take(snap) {
-      own.fill(snap.entry);
-      if (!snap.is_whole || lacking(tool.value, named(snap.entry)) !== undefined) return false;
+      const entry = snap.entry as Entry;
+      own.fill(entry);
+      if (!snap.is_whole || lacking(tool.value, named(entry)) !== undefined) return false;
       return write();
     },
     write,

@@ -15,7 +15,7 @@ import { language } from "../words.ts";
 import type { Judging } from "./judging.ts";
 import { loupe, type Loupe } from "./loupe.ts";
 import type { Model } from "./model.ts";
-import type { BoardSheet, Ghost, Snap } from "./types.ts";
+import type { BoardSheet, Ghost, Snapped } from "../engine/types.ts";
 import { say } from "./words.ts";
 
 /** A place on a sheet, in mm from its upper left corner. */
@@ -34,7 +34,7 @@ export interface Stage {
   /** Where keys are; null while a pointer is used. */
   cursor: Place | null;
   /** What a press would add, beside the hand; null where there is nothing. */
-  aim(snap: Snap | null): void;
+  aim(snap: Snapped | null): void;
   /** Draws what lies over the sheet anew. */
   draw(): void;
 }
@@ -54,7 +54,7 @@ export function stage(app: App, model: Model, judging: Judging, sheet: Sheet): S
 
   let size: BoardSheet | null = null;
   let svg = "";
-  let aimed: Snap | null = null;
+  let aimed: Snapped | null = null;
 
   function paint(): void {
     if (svg !== "") fill(drawn, isDark.value ? forDark(svg) : svg);

@@ -6,7 +6,7 @@ import { language } from "../words.ts";
 import type { Entry } from "./file.ts";
 import type { Model } from "./model.ts";
 import { HOWS, lacking, slotsOf, type Slot, type Takes } from "./tools.ts";
-import type { Board } from "./types.ts";
+import type { Board } from "../engine/types.ts";
 import { say } from "./words.ts";
 
 /** What can be chosen: a name of the file and what is shown of it. */
