@@ -2026,6 +2026,7 @@ page-board-is_undone = zurückgenommen
 page-board-normal = senkrecht zu
 page-board-parallel = parallel zu
 page-board-angle = unter dem Winkel
+page-board-other_way = Andersherum
 page-board-sense_none = wie es herauskommt
 page-board-ccw = gegen den Uhrzeiger
 page-board-cw = im Uhrzeigersinn

@@ -2059,6 +2059,7 @@ page-board-is_undone = taken back
 page-board-normal = at right angles to
 page-board-parallel = parallel to
 page-board-angle = at the angle
+page-board-other_way = The other way round
 page-board-sense_none = as it comes
 page-board-ccw = counter-clockwise
 page-board-cw = clockwise

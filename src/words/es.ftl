@@ -2024,6 +2024,7 @@ page-board-is_undone = deshecha
 page-board-normal = perpendicular a
 page-board-parallel = paralela a
 page-board-angle = con el ángulo
+page-board-other_way = En sentido contrario
 page-board-sense_none = como sale
 page-board-ccw = antihorario
 page-board-cw = horario

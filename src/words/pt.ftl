@@ -2026,6 +2026,7 @@ page-board-is_undone = desfeita
 page-board-normal = perpendicular a
 page-board-parallel = paralela a
 page-board-angle = com o ângulo
+page-board-other_way = No sentido contrário
 page-board-sense_none = como sai
 page-board-ccw = anti-horário
 page-board-cw = horário

@@ -33,6 +33,8 @@ export interface Model {
   /** The own drawing before another file was opened; null where none was. */
   readonly replaced: Signal<string | null>;
   readonly shown: Signal<Shown | null>;
+  /** The drawing that is shown: with the entry under way where only the name of its point is missing, so that it is seen what is to be named. */
+  readonly pictured: Signal<string>;
   /** What is said below: why something was refused, or what to do. */
   readonly says: Signal<{ text: string; isBad: boolean }>;
   readonly canUndo: Signal<boolean>;
@@ -59,6 +61,9 @@ export interface Model {
   inTurn(act: () => unknown): Promise<void>;
 }
 
+/** What a point is called that has no name yet. */
+const NAMELESS = "?";
+
 /** How the board is used where no link says it. */
 const USUAL: BoardUse = { mode: "practice", snap: "all", at_once: false };
 
@@ -67,6 +72,7 @@ export function model(app: App): Model {
   const tool = signal<Tool>("lay_off");
   const has = signal<Entry>(begun("lay_off"));
   const says = signal({ text: "", isBad: false });
+  const pictured = signal("");
   const canUndo = signal(false);
   const canRedo = signal(false);
   const until = signal<number | null>(null);
@@ -198,6 +204,7 @@ export function model(app: App): Model {
     until,
     looked,
     replaced,
+    pictured,
     shown: signal<Shown | null>(null),
     says,
     canUndo,
@@ -261,6 +268,16 @@ export function model(app: App): Model {
       );
     },
   };
+
+  function picture(): void {
+    const now = known.value?.drawing ?? "";
+    const slot = lacking(tool.value, has.value);
+    const isNameless = slot?.takes === "point_name" && (tool.value !== "mark" || has.value["drawn"] !== undefined) && until.value === null && looked.value === null;
+    pictured.set(isNameless ? drawingText({ ...drawing(), did: [...drawing().did, slot.set(has.value, NAMELESS)] }) : now);
+  }
+  known.on(picture);
+  has.on(picture);
+  until.on(picture);
 
   // Another drawing, or another scene.
   let last = "";

@@ -66,7 +66,7 @@ export function stage(app: App, model: Model, judging: Judging, sheet: Sheet): S
     if (good === "" || root.hidden || !app.drawing.value) return;
     const letters = view.now.value.scale * PRINTED < READ ? READ / view.now.value.scale : null;
     try {
-      const picture = await app.engine.board_picture(good, model.known.value?.drawing ?? "", { sheet, until, letters, judged: judging.verdicts.value !== null });
+      const picture = await app.engine.board_picture(good, model.pictured.value, { sheet, until, letters, judged: judging.verdicts.value !== null });
       svg = withoutPaper(picture.svg);
       paint();
     } catch (refused) {
@@ -131,11 +131,11 @@ export function stage(app: App, model: Model, judging: Judging, sheet: Sheet): S
     scale.textContent = next.scale;
     if (size === null || size.width !== next.width || size.height !== next.height) view.fit([0, 0, next.width, next.height]);
     size = next;
-    picturing.want(undefined);
   }
 
   model.known.on(follow);
   judging.verdicts.on(() => picturing.want(undefined));
+  model.pictured.on(() => picturing.want(undefined));
   model.until.on(() => picturing.want(undefined));
   model.shown.on(draw);
   isDark.on(paint);
