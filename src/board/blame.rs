@@ -4,6 +4,7 @@ use super::alone::Held;
 use super::bench::{Bench, has_numbers, written_together};
 use super::direction::Direction;
 use super::file::{Compute, Entry, LayOff, Line, Measure};
+use super::formula::Formula;
 use super::judge::{Verdict, Wrong};
 use super::reads::reads;
 use super::says;
@@ -86,7 +87,26 @@ impl Bench<'_> {
         let table = &self.right[0];
         let alone = self.as_if_right(entry, is_typed)?;
         let tolerance = if is_typed || has_numbers(entry) { 0.012 } else { 1e-6 };
-        Slip { table, entry, alone: &alone, right, tolerance }.told()
+        let whole = self.written_out(entry);
+        Slip { table, entry: &whole, alone: &alone, right, tolerance }.told()
+    }
+
+    /// The entry with the formulas of the hand's own numbers in place of their names.
+    fn written_out(&self, entry: &Entry) -> Entry {
+        let own = |name: &str| {
+            let index = self.made.get(&(None, name.to_owned()))?;
+            match self.done.iter().find(|(other, _)| other == index)? {
+                (_, Entry::Compute(Compute { by: Some(by), sense: None, .. })) => Some(by.clone()),
+                _ => None,
+            }
+        };
+        // A number of one's own may be made of others.
+        let out = |formula: &Formula| (0..3).fold(formula.clone(), |formula, _| formula.with(&own));
+        match entry {
+            Entry::LayOff(laid) => Entry::LayOff(LayOff { size: out(&laid.size), ..laid.clone() }),
+            Entry::Compute(compute) => Entry::Compute(Compute { by: compute.by.as_ref().map(out), ..compute.clone() }),
+            other => other.clone(),
+        }
     }
 
     /// What an entry makes in the scene with right inputs. A typed number was worked out from the hand's own things: it is taken in the
@@ -102,13 +122,18 @@ impl Bench<'_> {
             (Made::Place(sheet, name, at), Entry::LayOff(LayOff { from, .. })) => {
                 let own = self.own.place(sheet, from).zip(table.place(sheet, from));
                 let expected = self.causes.expected_place(&self.own, sheet, &name).zip(given.place(sheet, &name));
-                let at = own.zip(expected).map_or(at, |((own_start, start), (expected, right))| {
-                    let found = match self.own.carried_out_again(entry) {
-                        Ok(Made::Place(_, _, found)) => found - own_start,
-                        _ => at - start,
-                    };
-                    start + over(times(found, right - start), expected - own_start).unwrap_or(at - start)
-                });
+                // The vector may have been laid off from a wrong point.
+                let arrow = given.construction().arrows(sheet).find(|arrow| arrow.to == name);
+                let begins = arrow.map_or(from.as_str(), |arrow| arrow.from.as_str());
+                let begins = self.own.place(sheet, begins).zip(given.place(sheet, begins)).or(own);
+                let at =
+                    own.zip(expected).zip(begins).map_or(at, |(((own_start, start), (expected, right)), begins)| {
+                        let found = match self.own.carried_out_again(entry) {
+                            Ok(Made::Place(_, _, found)) => found - own_start,
+                            _ => at - start,
+                        };
+                        start + over(times(found, right - begins.1), expected - begins.0).unwrap_or(at - start)
+                    });
                 Made::Place(sheet, name, at)
             }
             (Made::Numbers(all), Entry::Compute(Compute { by: None, .. })) => {
