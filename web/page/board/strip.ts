@@ -13,7 +13,7 @@ import { say } from "./words.ts";
 type Choice = [value: string, shown: string];
 
 /** Slots that are written into; the others are chosen from what there is. */
-const WRITTEN: readonly Takes[] = ["formula", "formulas", "point_name", "line_name", "number_name", "names", "angle"];
+const WRITTEN: readonly Takes[] = ["formula", "formulas", "point_name", "line_name", "number_name", "names", "angle", "base"];
 
 export interface Strip {
   root: HTMLElement;
@@ -122,6 +122,7 @@ export function strip(model: Model, back: () => void): Strip {
     const parts = say(`form_${tool}`, marked).split("\u0001");
     form.replaceChildren(...parts.flatMap((part) => {
       const box = boxes.get(part);
+      if (part === "reference" && boxes.has("base")) return [boxes.get("turned_from")!, element("span", {}, "→"), boxes.get("turned_to")!, element("span", {}, say("at_base")), boxes.get("base")!];
       return box !== undefined ? [box, ...(part === "size" ? turns : [])] : part.trim() === "" || part in marked ? [] : [element("span", {}, part.trim())];
     }));
     form.setAttribute("aria-label", say(`tool_${tool}`));
