@@ -190,7 +190,7 @@ fn a_velocity_plan_by_mouse() {
     // The rubber takes a thing with what hangs on it: r1, c and the measure; r2 and b stay.
     let mut hand = Hand { bench: &mut bench, is_finger: false, gestures: 0 };
     hand.tool("rub");
-    bench.choose("#board select[data-blank=name]", "r1");
+    bench.choose("#board select[data-blank=name]", "Velocity: line r1");
     bench.click("#board .strip .main");
     bench.settle();
     let known = known(&mut bench);
