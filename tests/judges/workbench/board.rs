@@ -252,11 +252,11 @@ fn a_velocity_plan_by_keys_alone() {
     // Goes on with N until it is heard what is possible there.
     let go_to = |bench: &mut Bench, press: &mut dyn FnMut(&mut Bench, &str), words: &str| {
         for _ in 0..8 {
-            press(bench, "n");
             let spoken = bench.text("document.querySelector('#spoken').textContent");
             if spoken == words || spoken.ends_with(&format!(" {words}")) {
                 return press(bench, "Enter");
             }
+            press(bench, "n");
         }
         panic!("no {words}: {}", bench.text("document.querySelector('#spoken').textContent"));
     };
