@@ -9,8 +9,8 @@ use kinegon::drawing::{Drawing, Overlay, curves, hodographs, overlay, paths};
 use kinegon::exercise::Exercises;
 use kinegon::format::{Text, structure, svg_with};
 use kinegon::scene::{
-    DecimalMark, Figure, LanguageName, LengthUnit, NotationName, Page, PageSize, ScalesFor, Scene, StyleName,
-    ValuesShown,
+    CoriolisName, DecimalMark, Figure, FrameName, LanguageName, LengthUnit, NotationName, Page, PageSize, ScalesFor,
+    Scene, SlidingName, StyleName, TurnedName, ValuesShown,
 };
 use kinegon::{PerSheet, Scales, Sheet};
 use std::error::Error;
@@ -112,7 +112,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 26] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 28] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -211,6 +211,25 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 26] = [
             figure.decimal = DecimalMark::Comma;
             figure.notation = NotationName::German;
         }),
+    ),
+    (
+        "points",
+        "templates/slotted-lever.json",
+        "draw scene.json --sliding points --coriolis C --frame 0 --values",
+        "Motions along a guide by the points of both links, the frame as link 0.",
+        Kind::Figure(|figure| {
+            figure.sliding = SlidingName::Points;
+            figure.coriolis = Some(CoriolisName::Capital);
+            figure.frame = Some(FrameName::Zero);
+            figure.values = Some(ValuesShown::Shown(None));
+        }),
+    ),
+    (
+        "turned",
+        "templates/slider-crank.json",
+        "draw scene.json --turned clockwise",
+        "Turned velocities: the plan's lines are parallel to the links.",
+        Kind::Figure(|figure| figure.turned = Some(TurnedName::Clockwise)),
     ),
     (
         "step",

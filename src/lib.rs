@@ -23,9 +23,10 @@
 //! # What stays
 //!
 //! What this reference shows keeps to semantic versioning: before 1.0 a breaking change raises the minor version. Enums and results that may grow are
-//! `#[non_exhaustive]`. What it does not show (`kernel`, `cli`) is public for the program, benches and tests alone, and may change at any time. Two crates are in
-//! signatures, [`nalgebra`] for points and vectors and [`indexmap`] for what has an order: they are re-exported, and a new major version of either is a breaking
-//! change here. Files have versions of their own: what a scene, a result, a form or a scheme of marks says today stays readable.
+//! `#[non_exhaustive]`. What it does not show (`kernel`, `cli`) is public for the program, benches and tests alone, and may change at any time. Five crates are in
+//! signatures: [`nalgebra`] for points and vectors, [`kurbo`] for places on a sheet, [`indexmap`] for what has an order, [`smallvec`] for what has few parts, and
+//! [`serde_json`] for schemas and for values of files. They are re-exported, and a new major version of one is a breaking change here; implementations of other
+//! crates' traits, as schemars', are for our own files. Files have versions of their own: what a scene, a result, a form or a scheme of marks says today stays readable.
 //!
 //! # Features
 //!
@@ -34,6 +35,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod accuracy;
+pub mod board;
 pub mod check;
 #[cfg(feature = "cli")]
 #[doc(hidden)] // the program
@@ -71,10 +73,11 @@ mod sheet;
 mod solve;
 
 #[doc(no_inline)]
-pub use {indexmap, nalgebra};
+pub use {indexmap, kurbo, nalgebra, serde_json, smallvec};
 
 pub use construction::Solution;
 pub use error::Error;
+#[doc(inline)]
 pub use message::Message;
 pub use problem::Problem;
 pub use scene::Scene;

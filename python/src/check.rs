@@ -1,5 +1,6 @@
 use crate::refused::Refused;
 use crate::solution::{Solution, tolerance};
+use kinegon::board::{Given, HandDrawing, Judge, own_drawing};
 use kinegon::check::{AnswerKey, Awarded, Checked, Feedback, Marks, Measured, check, check_result, redrawn, report};
 use kinegon::drawing::{Drawing, overlay};
 use kinegon::format::json_line;
@@ -30,6 +31,12 @@ struct Judged<'a> {
 }
 
 impl Solution {
+    /// Kinegon's own construction as a drawing.
+    pub fn own_drawing(&self) -> Result<String, Refused> {
+        let solution = self.by_hand()?;
+        Ok(own_drawing(&Given::new(solution), &solution.scales()))
+    }
+
     pub fn empty_form(&self, is_table: bool) -> Result<String, Refused> {
         let solution = self.by_hand()?;
         let form = Measured::empty(solution.scales(), None);
@@ -37,11 +44,6 @@ impl Solution {
     }
 
     fn judged(&self, form: &str, options: &CheckOptions) -> Result<Judged<'_>, Refused> {
-        let measured = if !options.is_table && Measured::is_json(form) {
-            Measured::read_json(form)?
-        } else {
-            Measured::read_csv(form)?
-        };
         if !(1..=6).contains(&options.depth) {
             return Err(Refused::new("KinegonError", "depth is from 1 to 6", None));
         }
@@ -49,6 +51,14 @@ impl Solution {
         let key = AnswerKey { depth: options.depth, ..AnswerKey::new(self.by_hand()?, hand) };
         let scheme = options.marks.as_ref().map(|text| -> Result<_, Refused> { Ok(Marks::read(text)?.of(&key)?) });
         let scheme = scheme.transpose()?;
+        let measured = if HandDrawing::is_one(form) {
+            // A drawing is checked and marked by what it gives.
+            Judge::new(&key).form(&HandDrawing::read(form)?)
+        } else if !options.is_table && Measured::is_json(form) {
+            Measured::read_json(form)?
+        } else {
+            Measured::read_csv(form)?
+        };
         let checked = check(&measured, &key)?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
         Ok(Judged { measured, key, checked, marks })
@@ -59,6 +69,21 @@ impl Solution {
         let Judged { measured, key, checked, marks } = self.judged(form, options)?;
         let words = key.solution.wording();
         let line = marks.as_ref().map_or_else(String::new, |marks| marks.line(&words) + "\n");
+        if HandDrawing::is_one(form) {
+            let (drawing, judge) = (HandDrawing::read(form)?, Judge::new(&key));
+            let judged = judge.judge(&drawing).map_err(|error| {
+                let why = words.language.says(&error.message);
+                Refused::new("KinegonError", format!("did.{}: {why}", error.entry), None)
+            })?;
+            let result = judged.result(&judge, &drawing, &words);
+            let is_passed = result.first_wrong.is_none();
+            let report = result.report(&words) + &line;
+            let mut file = serde_json::json!({ "drawing": result });
+            if let Some(marks) = marks {
+                file["marks"] = serde_json::json!(marks);
+            }
+            return Ok((json_line(&file), report, is_passed));
+        }
         let mut result = check_result(&checked, &key, measured.name.clone());
         result.marks = marks;
         Ok((json_line(&result), report(&checked, &key) + &line, checked.is_passed()))

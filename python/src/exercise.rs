@@ -2,6 +2,7 @@ use crate::pool::on_all_cores;
 use crate::refused::Refused;
 use crate::scene::Scene;
 use crate::sheet::Form;
+use kinegon::board::{Given, own_drawing};
 use kinegon::format::json;
 use kinegon::scene::SizeLimit;
 use kinegon::{exercise, format};
@@ -63,6 +64,11 @@ impl Exercise {
     /// The file key.json.
     fn key_file(&self) -> String {
         json(&self.0.key())
+    }
+
+    /// The file key-drawing.json.
+    fn key_drawing(&self) -> String {
+        own_drawing(&Given::new(&self.0.solution), &self.0.solution.scales())
     }
 
     /// The empty form of the exercise with that name: JSON or a table.

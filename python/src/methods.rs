@@ -148,6 +148,11 @@ impl Solution {
         Ok(py.detach(|| self.empty_form(is_table))?)
     }
 
+    /// Kinegon's own construction as a drawing.
+    fn drawing(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(py.detach(|| self.own_drawing())?)
+    }
+
     /// The result of a check as JSON, its report, and whether it is passed.
     fn check(&self, py: Python<'_>, form: &str, options: CheckOptions) -> PyResult<(String, String, bool)> {
         Ok(py.detach(|| on_all_cores(|| self.checked(form, &options)).flatten())?)

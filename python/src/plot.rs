@@ -48,7 +48,7 @@ impl Solution {
                 || vectors.iter().any(|vector| vector.ends.contains(name))
         };
         let points = plan.points.iter().filter(|(name, point)| is_shown(name, point.role)).map(|(name, point)| {
-            let symbol = plan.shown(name, display(name), words.notation);
+            let symbol = plan.shown(name, display(name), &words.notation);
             json!({ "symbol": symbol, "at": [point.vector.x, point.vector.y] })
         });
         let points: Vec<Value> = points.collect();

@@ -157,7 +157,7 @@ fn after(solution: &kinegon::Solution, step: usize, is_coarse: bool) -> Result<D
 /// The steps of the construction, in the figure's language.
 fn steps(solution: &kinegon::Solution) -> Vec<Value> {
     let words = solution.wording();
-    let teller = Teller::new(solution, &words);
+    let teller = Teller::shown(solution, &words);
     let equation = |step: &NumberedStep<'_>| match &step.action {
         Action::Solve { equations, .. } => {
             let told: Vec<String> = equations.iter().map(|equation| teller.equation(equation)).collect();
@@ -173,7 +173,7 @@ fn steps(solution: &kinegon::Solution) -> Vec<Value> {
             "panel": step.sheet.as_str(),
         })
     };
-    solution.construction.numbered_steps().map(step).collect()
+    solution.shown_construction().numbered_steps().map(step).collect()
 }
 
 /// The limits of a hand's errors, if one is given.

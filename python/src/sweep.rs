@@ -35,7 +35,7 @@ pub fn table_of(scene: &Scene, mechanism: &Mechanism, pose: &Pose, wanted: &Want
         let data = numbers(&sweep, wanted.huge)?;
         let units = units(&sweep, scene.scene.units);
         let notes = notes(path, range, wanted.is_part(), &Wording::of(&scene.scene.figure));
-        let symbols = symbols(&sweep, mechanism, Wording::of(&scene.scene.figure).notation);
+        let symbols = symbols(&sweep, mechanism, &Wording::of(&scene.scene.figure).notation);
         Ok(Table::of(sweep.header(), units, sweep.steps.count(), data, notes).with_symbols(symbols))
     })
 }

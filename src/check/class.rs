@@ -78,6 +78,9 @@ pub struct ClassFound {
     /// What was probably done, with the names of quantities as they stand on sheets.
     #[serde(skip)]
     told: String,
+    /// Whether it is a drawing, whose first mistake is its first wrong operation.
+    #[serde(skip)]
+    is_drawing: bool,
     /// All further mistakes.
     pub further: Vec<ClassMistake>,
     /// How sure these are together, from 0 to 1; not there where nothing is to be explained.
@@ -98,6 +101,13 @@ pub struct ClassMistake {
     pub step: usize,
     /// Its name in the catalogue.
     pub mistake: &'static str,
+}
+
+impl ClassMistake {
+    /// A mistake at a step.
+    pub(crate) fn new(step: usize, mistake: &'static str) -> ClassMistake {
+        ClassMistake { step, mistake }
+    }
 }
 
 /// Which columns a table has beside those that every table has.
@@ -153,6 +163,7 @@ impl ClassRow {
                 values_of: checked.values_of.as_deref().map(Untrusted::from),
                 first: findings.first().map(mistake),
                 told: told.unwrap_or_default(),
+                is_drawing: false,
                 done,
                 further: findings.iter().skip(1).map(mistake).collect(),
                 probability: (!findings.is_empty()).then_some(diagnosis.best.probability),
@@ -160,6 +171,25 @@ impl ClassRow {
                 marks: scheme.map(|scheme| scheme.award(checked)),
             }),
             ..ClassRow::default()
+        }
+    }
+
+    /// Puts the wrong operations of a drawing in place of what its values let guess: each with its step, its mistake and what was done.
+    pub(crate) fn judge_drawing(&mut self, wrong: Vec<(ClassMistake, String)>) {
+        let Some(found) = &mut self.found else { return };
+        self.passed &= wrong.is_empty();
+        found.is_drawing = true;
+        (found.first, found.done, found.probability) = (None, None, None);
+        found.further.clear();
+        for (mistake, done) in wrong {
+            match found.first {
+                None => {
+                    found.first = Some(mistake);
+                    found.told.clone_from(&done);
+                    found.done = Some(done);
+                }
+                Some(_) => found.further.push(mistake),
+            }
         }
     }
 
@@ -290,14 +320,14 @@ impl ClassSummary {
             self.passed += 1;
             return;
         }
-        if found.off == 0 {
+        if found.off == 0 && found.first.is_none() {
             self.incomplete += 1;
             return;
         }
         self.off += 1;
         match (&found.first, &found.done) {
             // A diagnosis has only mistakes that are probable enough to be told.
-            (Some(first), Some(done)) if first.mistake != Mistake::Unknown.id() => {
+            (Some(first), Some(done)) if found.is_drawing || first.mistake != Mistake::Unknown.id() => {
                 let key = (first.step, first.mistake, done.clone());
                 let (count, told) = self.firsts.entry(key).or_default();
                 *count += 1;

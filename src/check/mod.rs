@@ -80,6 +80,7 @@ mod prepared;
 mod proposed;
 #[doc(hidden)] // for tests
 pub mod redrawn;
+pub(crate) mod replayed;
 mod report;
 mod result;
 #[doc(hidden)] // for tests
@@ -102,6 +103,7 @@ pub use feedback::Feedback;
 pub use form::{FormBox, form_boxes, further_boxes, plan_points};
 pub use marks::{Awarded, MarkScheme, Marks};
 pub use measured::{AnswerKey, CheckError, DEPTH, Given, LENIENCY, Measured, PlacedPoint, PointsOf, Positive};
+pub(crate) use mistakes::tell;
 pub use mistakes::{Blank, Candidate, Mistake, Told};
 pub use names::{asked_names, form_names};
 #[cfg(feature = "photo")]
@@ -110,6 +112,7 @@ pub use placed::TurnedPlan;
 pub use prepared::{Prepared, check};
 #[cfg(feature = "photo")]
 pub use proposed::{Found, Proposal, common_scale, proposed, proposed_form};
+#[doc(inline)]
 pub use redrawn::redrawn;
 #[cfg(feature = "cli")]
 pub(crate) use report::aligned;
@@ -117,4 +120,5 @@ pub use report::{Cause, ReportParts, ReportRow, report, report_parts};
 pub use result::{CheckResult, check_result, check_schema};
 pub use sensible::StatedScale;
 pub use student::Student;
+#[doc(inline)]
 pub use written::Precision;

@@ -11,7 +11,7 @@ use crate::quantity::{QuantityError, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, shown};
-use crate::words::{Notation, with_prime};
+use crate::words::{Notation, Wording, with_prime};
 use indexmap::IndexMap;
 
 /// The names of the quantities of the steps, once each: those that a form asks for.
@@ -252,9 +252,10 @@ impl<'a> Names<'a> {
             What::Segment(order, [from, to]) if asked.written.component.is_none() => between(order.sheet(), from, to),
             What::Segment(order, [from, to]) => format!("∠ {}", between(order.sheet(), from, to)),
             What::Length(from, to) => between(Sheet::Scheme, from.name(), to.name()),
-            _ => plain(
-                &asked.symbol(&self.solution.mechanism, self.solution.wording().notation, &|name| self.label(name)),
-            ),
+            _ => {
+                let Wording { notation, .. } = self.solution.wording();
+                plain(&asked.symbol(&self.solution.mechanism, &notation, &|name| self.label(name)))
+            }
         }
     }
 
@@ -307,7 +308,7 @@ impl<'a> Names<'a> {
         let labels = &self.solution.scene.figure.labels;
         let shown = match (labels.get(name), self.solution.construction.plan_on(sheet)) {
             (Some(label), _) => plain(&label.for_setting()),
-            (None, Some(plan)) => plain(&plan.shown(name, name.to_owned(), self.solution.wording().notation)),
+            (None, Some(plan)) => plain(&plan.shown(name, name.to_owned(), &self.solution.wording().notation)),
             (None, None) => name.to_owned(),
         };
         let is_plain = !shown.is_empty() && !shown.contains([',', '(', ')', ' ', '"', ';']);

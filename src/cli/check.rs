@@ -1,3 +1,4 @@
+use super::board;
 use super::class::{Class, Form, ReportFormat, Subject};
 use super::feedback::{Correction, FeedbackOptions, Pages};
 use super::files;
@@ -7,6 +8,7 @@ use super::options::{Hand, Words};
 use super::output::FileSet;
 use super::pieces::caught;
 use super::solve::{Mode, show_warnings, solve};
+use crate::board::HandDrawing;
 use crate::check::{self, AnswerKey, ClassColumns, Feedback, MarkScheme, Marks, Measured, Prepared};
 use crate::construction::Solution;
 use crate::cores::on_all_cores;
@@ -98,7 +100,11 @@ impl Check {
         if path.is_dir() {
             return self.class(path, &solution);
         }
-        let (text, measured) = self.read(path)?;
+        let text = self.read(path)?;
+        if HandDrawing::is_one(&text.text) {
+            return self.drawing(None, &solution, &text);
+        }
+        let measured = read(path, &text)?;
         self.form(&ExerciseFiles::of_scene(&self.scene), &solution, &text, &measured)
     }
 
@@ -116,15 +122,20 @@ impl Check {
         solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
     }
 
-    /// Reads one form.
-    fn read(&self, path: &Path) -> Result<(Source, Measured), Failure> {
+    /// Reads one form, or a drawing.
+    fn read(&self, path: &Path) -> Result<Source, Failure> {
         if self.output.is_some() {
             let hint = "leave out -o: the report is printed";
             return refuse("-o takes the table of a folder; here is one form", hint);
         }
-        let text = files::read_form(path)?;
-        let measured = read(path, &text)?;
-        Ok((text, measured))
+        files::read_form(path)
+    }
+
+    /// Judges one drawing; the marks of its exercise go before those of the command.
+    fn drawing(&self, own: Option<&Path>, solution: &Solution, text: &Source) -> Result<(), Failure> {
+        show_warnings(solution);
+        let marks = own.or(self.marks.as_deref()).map(GivenMarks::read).transpose()?;
+        board::judge(&self.subject(None, solution, marks.as_ref())?, text, self.json)
     }
 
     /// Checks one form and prints its report.
@@ -221,11 +232,18 @@ impl Check {
         if path.is_dir() {
             return self.classes(&exercises, path);
         }
-        let (text, measured) = self.read(path)?;
-        let index = exercises.of_form(measured.exercise.as_ref(), path);
+        let text = self.read(path)?;
+        let drawn = board::exercise(&text.text);
+        let measured = if drawn.is_some() { Measured::default() } else { read(path, &text)? };
+        let named = drawn.as_ref().map_or(measured.exercise.as_ref(), Option::as_ref);
+        let index = exercises.of_form(named, path);
         let index = index.map_err(|message| Failure::unclear(format!("{}: {message}", text.name)))?;
         let exercise = &exercises.all[index];
-        self.form(exercise, &self.solved(&exercise.scene)?, &text, &measured)
+        let solution = self.solved(&exercise.scene)?;
+        if drawn.is_some() {
+            return self.drawing(exercise.marks().as_deref(), &solution, &text);
+        }
+        self.form(exercise, &solution, &text, &measured)
     }
 
     /// Checks the forms of a folder, each against its own exercise, and writes their joint table.
@@ -240,7 +258,8 @@ impl Check {
         let form = |path: &PathBuf| {
             let inside = path.strip_prefix(folder).unwrap_or(path);
             // A form that is not understood says so in its row, whatever its exercise.
-            let named = measured(path).ok().and_then(|measured| measured.exercise);
+            let drawn = || files::read_form(path).ok().and_then(|text| board::exercise(&text.text)).flatten();
+            let named = measured(path).map_or_else(|_| drawn(), |measured| measured.exercise);
             let exercise = exercises.of_form(named.as_ref(), inside);
             Form { path: path.clone(), file: file_name(path, folder), exercise }
         };

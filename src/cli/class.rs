@@ -1,5 +1,6 @@
 //! Checks all forms of a folder and writes a table with a row for each.
 
+use super::board;
 use super::feedback::Pages;
 use super::files;
 use super::forms::measured;
@@ -165,9 +166,17 @@ impl Class<'_> {
     /// The row and the page of a form that is checked, or why it is not.
     fn checked(&self, index: usize) -> Result<Done, String> {
         let form = &self.forms[index];
-        let mut measured = measured(&form.path)?;
-        let exercise = form.exercise.clone()?;
-        let subject = self.exercises[exercise].as_ref().map_err(String::clone)?;
+        let exercise = form.exercise.clone();
+        let subject = exercise.clone().map(|exercise| self.exercises[exercise].as_ref().map_err(String::clone));
+        let drawn = match &subject {
+            Ok(Ok(subject)) => board::drawn(&form.path, &subject.key.key().clone())?,
+            _ => None,
+        };
+        let (mut measured, drawn) = match drawn {
+            Some(drawn) => (drawn.form, Some(drawn.wrong)),
+            None => (measured(&form.path)?, None),
+        };
+        let (exercise, subject) = (exercise?, subject??);
         // Of an exercise all is asked for, wherever its name stands.
         measured.exercise = measured.exercise.or(subject.name.map(Untrusted::from));
         let checked = subject.key.check(&measured);
@@ -176,7 +185,10 @@ impl Class<'_> {
             checked.put_down_to(other);
         }
         let (name, file) = (measured.name.as_ref(), form.file.clone());
-        let row = ClassRow::checked(file, name, &checked, subject.key.key(), subject.scheme.as_ref());
+        let mut row = ClassRow::checked(file, name, &checked, subject.key.key(), subject.scheme.as_ref());
+        if let Some(wrong) = drawn {
+            row.judge_drawing(wrong);
+        }
         let page = self.page(index, || {
             let marks = subject.scheme.as_ref().map(|scheme| scheme.award(&checked));
             let name = measured.name.clone().unwrap_or_else(|| form.file.stem());

@@ -233,6 +233,7 @@ impl CurvesCommand {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let mut driven = self.range.driven_scene()?;
         self.words.put_into(&mut driven.scene.figure);
+        driven.scene.check_frame().map_err(|error| Failure::of_option("--frame", error))?;
         self.paper.put_into(&mut driven.scene.figure);
         let style = self.figures.style()?;
         style.put_into(&mut driven.scene.figure);

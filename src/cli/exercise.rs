@@ -4,6 +4,7 @@ use super::message::{Failure, Source, note, refuse};
 use super::options::{Look, Markers, NamesAnd};
 use super::output::{FileSet, is_stream};
 use super::solve::solve;
+use crate::board::{Given, own_drawing};
 use crate::course::{Question, canvas, moodle, scorm};
 use crate::exercise::{Exercise, Exercises};
 use crate::format::{self, Text};
@@ -15,7 +16,8 @@ use std::path::{Path, PathBuf};
 const AFTER_HELP: &str = "\
 Writes DIR/KIND-SEED-1, DIR/KIND-SEED-2 …, each with scene.json, the student's sheets (sheet.svg, sheet-2.svg …, \
 all in sheet.pdf), the empty form \
-(form.json, form.csv) and for the teacher the drawn key (key.svg, key.pdf) and its values (key.json). Numbers are round; lines cross \
+(form.json, form.csv) and for the teacher the drawn key (key.svg, key.pdf), its values (key.json) and its construction for the drawing board \
+(key-drawing.json). Numbers are round; lines cross \
 at 20° or more, special points are on the sheet, measured segments have 5 mm or more, and a careful hand finds every rate to 15 %. \
 The same seed gives the same files.
 
@@ -165,7 +167,9 @@ fn add_files(files: &mut FileSet, exercise: &Exercise, style: &GivenStyle, folde
     let form = exercise.form(&own_name);
     add("form.json", form.json(&exercise.solution).as_bytes())?;
     add("form.csv", form.csv(&exercise.solution).as_bytes())?;
-    add("key.json", format::json(&exercise.key()).as_bytes())
+    add("key.json", format::json(&exercise.key()).as_bytes())?;
+    let own = own_drawing(&Given::new(&exercise.solution), &exercise.solution.scales());
+    add("key-drawing.json", own.as_bytes())
 }
 
 /// A kind of learning management system, by the file that it imports.

@@ -115,7 +115,10 @@ impl ExerciseFiles {
 
     /// Its files that are no forms.
     pub(super) fn others(&self) -> impl Iterator<Item = PathBuf> {
-        let beside = self.folder.iter().flat_map(|folder| ["key.json", "marks.json"].map(|name| folder.join(name)));
+        let beside = self
+            .folder
+            .iter()
+            .flat_map(|folder| ["key.json", "key-drawing.json", "marks.json"].map(|name| folder.join(name)));
         [self.scene.clone()].into_iter().chain(beside)
     }
 }

@@ -5,6 +5,7 @@
 //! understood; 128 and a signal's number where that has stopped it, as 130 for Ctrl-C.
 
 mod begin;
+mod board;
 mod check;
 mod class;
 mod cycle;

@@ -1,7 +1,9 @@
 //! Options that several commands have: the words, the sheet and its scales, the hand that draws.
 
 use crate::construction::Tolerance;
-use crate::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, ScalesFor};
+use crate::scene::{
+    CoriolisName, DecimalMark, Figure, FrameName, LanguageName, NotationName, Page, ScalesFor, SlidingName, TurnedName,
+};
 use crate::sheet::{PerSheet, Scales, Sheet};
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
@@ -13,6 +15,18 @@ pub(super) struct Words {
     /// Notation of poles, images and parts of accelerations.
     #[arg(long, value_parser = one_of(&NotationName::ALL, NotationName::as_str))]
     notation: Option<NotationName>,
+    /// How motions along guides are written: by the slider as v_r(3/2), or by points of both links as v_B3B2.
+    #[arg(long, value_parser = one_of(&SlidingName::ALL, SlidingName::as_str))]
+    sliding: Option<SlidingName>,
+    /// Index of Coriolis accelerations, in place of that of the notation.
+    #[arg(long, value_parser = one_of(&CoriolisName::ALL, CoriolisName::as_str))]
+    coriolis: Option<CoriolisName>,
+    /// Number that the frame is called by, in place of a word.
+    #[arg(long, value_parser = one_of(&FrameName::ALL, FrameName::as_str))]
+    frame: Option<FrameName>,
+    /// Sense in which figures and steps show the velocity plan turned by 90°; sheets to be drawn on, keys and checks have it as it is.
+    #[arg(long, value_parser = one_of(&TurnedName::ALL, TurnedName::as_str))]
+    turned: Option<TurnedName>,
     /// Language of headings and captions.
     #[arg(long, value_parser = one_of(&LanguageName::ALL, LanguageName::as_str))]
     language: Option<LanguageName>,
@@ -25,6 +39,10 @@ impl Words {
     /// Overrides a scene's figure by the options that are given.
     pub(super) fn put_into(&self, figure: &mut Figure) {
         figure.notation = self.notation.unwrap_or(figure.notation);
+        figure.sliding = self.sliding.unwrap_or(figure.sliding);
+        figure.coriolis = self.coriolis.or(figure.coriolis);
+        figure.frame = self.frame.or(figure.frame);
+        figure.turned = self.turned.or(figure.turned);
         figure.language = self.language.unwrap_or(figure.language);
         figure.decimal = self.decimal.unwrap_or(figure.decimal);
     }

@@ -5,6 +5,7 @@ use super::files;
 use super::message::{Failure, Source, note, warn};
 use super::options::{Hand, Look};
 use crate::accuracy::bounds;
+use crate::board::{Given, own_drawing};
 use crate::construction::Solution;
 use crate::cycle::told_turning_back;
 use crate::drawing::Style;
@@ -50,6 +51,7 @@ pub(super) fn solve(
 ) -> Result<Solution, Failure> {
     let (mut scene, mechanism, pose) = read(source, most, mode)?;
     override_figure(&mut scene.figure);
+    scene.check_frame().map_err(|error| Failure::of_option("--frame", error))?;
     let order = order(&scene);
     source.checked(Solution::new(scene, mechanism, pose, order))
 }
@@ -162,6 +164,8 @@ enum Kind {
     Key,
     /// Of studies, for `kinegon study`.
     Study,
+    /// Of drawings made on the drawing board, for `kinegon check`.
+    Drawing,
 }
 
 impl Schema {
@@ -175,6 +179,7 @@ impl Schema {
             Kind::Class => crate::check::class_schema(),
             Kind::Key => crate::exercise::key_schema(),
             Kind::Study => crate::study::StudyFile::schema(),
+            Kind::Drawing => crate::board::drawing_schema(),
         };
         files::print(format::json(&schema).as_bytes())
     }
@@ -184,13 +189,17 @@ const STEPS_HELP: &str = "\
 Examples:
   kinegon steps scene.json                      the construction, numbered
   kinegon steps scene.json --language es        the same in Spanish
-  kinegon steps scene.json --page a3            with lengths for a larger sheet";
+  kinegon steps scene.json --page a3            with lengths for a larger sheet
+  kinegon steps scene.json --drawing            for the drawing board";
 
 #[derive(Debug, Args)]
 #[command(after_help = STEPS_HELP)]
 pub(super) struct Steps {
     /// Scene file, `-` for stdin.
     scene: PathBuf,
+    /// Print the construction as a drawing, as the drawing board of the workbench reads it and `kinegon check` judges it.
+    #[arg(long)]
+    drawing: bool,
     #[command(flatten)]
     mode: Mode,
     #[command(flatten)]
@@ -204,6 +213,10 @@ impl Steps {
         let source = files::read(&self.scene)?;
         let (mode, override_figure) = (self.mode.number, |figure: &mut Figure| self.look.put_into(figure));
         let solution = solve(&source, SizeLimit::HAND, mode, override_figure, |_| Order::Acceleration)?;
+        if self.drawing {
+            show_warnings(&solution);
+            return files::print(own_drawing(&Given::new(&solution), &solution.scales()).as_bytes());
+        }
         let pencil = source.checked(step_pencil(&solution, self.hand.tolerance()))?;
         let text = solution.steps(&pencil);
         show_warnings(&solution);

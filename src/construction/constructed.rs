@@ -5,6 +5,7 @@ use super::run::{Disturbance, Values};
 use super::step::{Action, Arrow, NumberedStep, Plan, Ray, VectorOf};
 use crate::geometry::{Ball, Point};
 use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
+use crate::scene::TurnedName;
 use crate::sheet::{Order, PerSheet, Sheet};
 use indexmap::IndexMap;
 
@@ -22,6 +23,8 @@ pub struct Construction {
     pub steps: PerSheet<Vec<Action>>,
     /// The plans; one that was not asked for has no points.
     pub plans: [Plan; 2],
+    /// How the velocity plan is turned by 90°, where it is.
+    pub turned: Option<TurnedName>,
     /// The operations of ruler, pencil and calculator, each after those whose results it uses.
     pub operations: Vec<Operation>,
     /// Origin of the places of the scheme, the mechanism's first point: coordinates that count from a far origin would
@@ -74,6 +77,7 @@ impl Construction {
             agreement: Vec::new(),
             steps: PerSheet::default(),
             plans: Order::ALL.map(Plan::new),
+            turned: None,
             operations: Vec::new(),
             origin,
             numbers: Vec::new(),

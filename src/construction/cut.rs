@@ -149,7 +149,7 @@ impl CutLine {
         match self.course {
             Course::Through(from, to) => format!("{}{}", name(from), to.map_or(point, name)),
             Course::Normal(slider, at) => {
-                words.language.normal_to_guide(&mechanism.slider_in_words(slider, words.language), name(at))
+                words.language.normal_to_guide(&mechanism.slider_in_words(slider, words), name(at))
             }
             Course::AtInfinity => words.language.line_at_infinity().to_owned(),
         }

@@ -8,6 +8,7 @@ use super::step::{LegEquation, Ray, RayOf, Relation, VectorPart};
 use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, GROUND, PointId};
 use crate::sheet::Order;
+use crate::words::SlidePart;
 
 impl Teller<'_> {
     /// The vector equation behind a ray: motion of the sought point relative to the leg's start, or of a further point
@@ -44,8 +45,8 @@ impl Teller<'_> {
         let notation = self.words.notation;
         let mut formula = Formula::equal(order, &point.name, start);
         let add_slide = |formula: &mut Formula, slide: &DrivenSlide, known: Known, part: VectorPart| {
-            let index = if part == VectorPart::Coriolis { notation.coriolis } else { notation.relative };
-            let markup = format!("{}_{index}({})", order.vector(), self.slider_name(slide.slider));
+            let shown = if part == VectorPart::Coriolis { SlidePart::Coriolis } else { SlidePart::Relative };
+            let markup = self.slide(order, shown, slide.slider);
             formula.add(if slide.sign < 0.0 { '−' } else { '+' }, markup, known, Some(part));
         };
         let has_coriolis = |slide: &DrivenSlide| order == Order::Acceleration && self.has_coriolis(slide);
@@ -151,7 +152,7 @@ impl Teller<'_> {
     /// Each term has the sign of its component along the segment from its start to the special point's image.
     #[must_use]
     pub fn equation(&self, LegEquation { order, special, side, from, segment }: &LegEquation) -> String {
-        let (rate, slide) = (order.rate(), order.vector());
+        let rate = order.rate();
         let mechanism = self.mechanism;
         let point = self.construction.special(*special);
         let cut = &point.cuts[*side];
@@ -167,9 +168,8 @@ impl Teller<'_> {
                 }
                 Term::Slide(DrivenSlide { slider, sign, .. }) => {
                     let guide = self.pose.guide(slider) * sign;
-                    let name = self.slider_name(slider);
                     let along = guide.dot(&quarter_turn(direction));
-                    (along, format!("{slide}_{}({name})", self.words.notation.relative))
+                    (along, self.slide(*order, SlidePart::Relative, slider))
                 }
             };
             // Terms with a zero length are left out.

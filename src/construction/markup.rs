@@ -25,7 +25,7 @@ pub fn shown_text(markup: &str, plan: Option<&Plan>, words: &Wording) -> String 
     for (index, piece) in markup.split('`').enumerate() {
         match (index % 2, plan) {
             (1, Some(plan)) => {
-                let shown = plan.shown(piece, piece.to_owned(), words.notation);
+                let shown = plan.shown(piece, piece.to_owned(), &words.notation);
                 push_plain(&mut text, &shown);
             }
             _ => push_plain(&mut text, piece),

@@ -8,7 +8,7 @@
 //! In reading order: `cut` (cut lines and special points); `operation` and `number` (what a hand and a calculator do),
 //! carried out by `run`; `writer`, which writes them down in the [`Construction`]; what is drawn: `body`,
 //! `leg`, `group`, `images`; `solution`, which goes through all groups. `enclosed` carries all out on the true
-//! position and motion; `step`, `markup`, `sentence`, `equations` and `passage` are for captions.
+//! position and motion; `step`, `markup`, `sentence`, `equations` and `passage` are for captions; `turned` shows the velocity plan turned.
 //!
 //! To add something that a hand does: an [`OperationKind`] with its errors, and how it is carried out in `run`. To add
 //! a construction: a method of `Writer` that begins a step, writes operations and finishes the step with what it has
@@ -60,6 +60,7 @@ mod run;
 mod sentence;
 mod solution;
 mod step;
+mod turned;
 mod writer;
 
 pub use constructed::{Agreement, Construction, Extent};

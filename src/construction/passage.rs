@@ -1,7 +1,7 @@
 //! Steps that a lecturer shows together: each passage reaches one aim of the construction.
 
 use super::constructed::Construction;
-use super::markup::{marked, rate_symbol};
+use super::markup::marked;
 use super::operation::StepId;
 use super::sentence::Teller;
 use super::step::{Action, Arrow, NumberedStep, PointRole, Ray, RayOf, Relation, VectorOf};
@@ -189,7 +189,7 @@ impl Teller<'_> {
                     list.push(pair(from, to));
                 }
                 Action::Solve { unknowns, .. } => {
-                    told.unknowns.extend(unknowns.iter().map(|(name, _)| rate_symbol(name)))
+                    told.unknowns.extend(unknowns.iter().map(|(name, _)| self.rate(name)))
                 }
                 _ => {}
             }

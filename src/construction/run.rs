@@ -105,9 +105,13 @@ impl Values {
     }
 
     /// Replaces a place, in units of its sheet, by where it was found.
-    #[cfg(feature = "photo")]
     pub(crate) fn put_place(&mut self, id: PlaceId, at: Vector) {
         self.places[id.0] = Pair { x: at.x, y: at.y };
+    }
+
+    /// Replaces a number by the one that somebody found.
+    pub(crate) fn put_number(&mut self, id: NumberId, value: f64) {
+        self.numbers[id.0] = value;
     }
 
     /// Carries out the operations from index `first` on; the results of those before it must be present. `disturbances`

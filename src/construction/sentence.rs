@@ -4,13 +4,15 @@ use super::constructed::Construction;
 use super::cut::Special;
 use super::markup::{Formula, Known, marked, measured, no_construction, rate_symbol, subscript};
 use super::name::{coincident_name, image_name, point_on};
+use super::number::Rate;
 use super::solution::Solution;
 use super::step::{Action, Arrow, NumberedStep, Plan, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
 use crate::geometry::{Place, degrees_of};
-use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, DrivenSlide, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
-use crate::sheet::Order;
-use crate::words::{Language, NumberStyle, Wording};
+use crate::scene::TurnedName;
+use crate::sheet::{Order, Sheet};
+use crate::words::{Language, NumberStyle, SlidePart, Wording};
 
 /// Writes steps in a language and a notation.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +46,33 @@ impl<'a> Teller<'a> {
         Self { mechanism, pose, construction, words }
     }
 
+    /// A teller of the steps as figures show them, which may have the velocity plan turned.
+    #[must_use]
+    pub fn shown(solution: &'a Solution, words: &'a Wording) -> Self {
+        Self::of(solution, solution.shown_construction(), words)
+    }
+
+    /// A teller of the steps of a construction of the solved scene.
+    pub(crate) fn of(solution: &'a Solution, construction: &'a Construction, words: &'a Wording) -> Self {
+        Self { construction, ..Self::new(solution, words) }
+    }
+
+    /// The heading of a sheet; of a turned plan with its angle.
+    #[must_use]
+    pub fn sheet_name(&self, sheet: Sheet) -> String {
+        let name = self.words.language.sheet(sheet);
+        match self.turned(sheet) {
+            Some(TurnedName::CounterClockwise) => self.words.language.turned_plan(name, "+90"),
+            Some(TurnedName::Clockwise) => self.words.language.turned_plan(name, "−90"),
+            None => name.to_owned(),
+        }
+    }
+
+    /// How the plan of a sheet is turned, where it is.
+    fn turned(&self, sheet: Sheet) -> Option<TurnedName> {
+        self.construction.turned.filter(|_| sheet == Sheet::Velocity)
+    }
+
     /// The caption of a step, one line; names of points between backticks, the rest in markup.
     #[must_use]
     pub fn caption(&self, NumberedStep { action, plan, .. }: &NumberedStep<'_>) -> String {
@@ -53,10 +82,12 @@ impl<'a> Teller<'a> {
             Action::SpecialPoint { special, .. } => self.special_point(self.construction.special(*special)),
             Action::LayOff(arrow) => self.lay_off(arrow).1,
             Action::Ray(ray) => {
-                let sentence = match ray.relation {
-                    Relation::Perpendicular => Language::ray_normal,
-                    Relation::Parallel => Language::ray_parallel,
-                    Relation::Angle => Language::ray_at_angle,
+                let sentence = match (ray.relation, self.guide_of(ray)) {
+                    (Relation::Perpendicular, None) => Language::ray_normal,
+                    (Relation::Perpendicular, Some(_)) => Language::ray_normal_to_guide,
+                    (Relation::Parallel, None) => Language::ray_parallel_to_line,
+                    (Relation::Parallel, Some(_)) => Language::ray_parallel,
+                    (Relation::Angle, _) => Language::ray_at_angle,
                 };
                 sentence(language, &marked(&ray.through), &self.line_of(ray), &marked(&ray.to))
             }
@@ -74,7 +105,7 @@ impl<'a> Teller<'a> {
                 sentence(language, &marked(from), &marked(to))
             }
             Action::Solve { unknowns, .. } => {
-                let names: Vec<String> = unknowns.iter().map(|u| rate_symbol(&u.0)).collect();
+                let names: Vec<String> = unknowns.iter().map(|u| self.rate(&u.0)).collect();
                 language.solve(&names.join(", "))
             }
             Action::NoConstruction(far) => no_construction(self.words, far),
@@ -120,9 +151,38 @@ impl<'a> Teller<'a> {
         }
     }
 
+    /// The slider on whose guide a ray's direction depends, if it is a guide's.
+    fn guide_of(&self, ray: &Ray) -> Option<SliderId> {
+        match ray.of {
+            RayOf::Leg(special, side) => self.construction.special(special).cuts[side].guide(),
+            RayOf::Arm { .. } => None,
+        }
+    }
+
     /// The name of a slider in the language.
     pub(super) fn slider_name(&self, slider: SliderId) -> String {
-        self.mechanism.slider_in_words(slider, self.words.language)
+        self.mechanism.slider_in_words(slider, self.words)
+    }
+
+    /// The symbol of a part of the motion along a guide.
+    pub(super) fn slide(&self, order: Order, part: SlidePart, slider: SliderId) -> String {
+        let Wording { notation, .. } = self.words;
+        let ground = &self.mechanism.body(GROUND).name;
+        let shown = |name: &str| if name == ground { self.words.ground().to_owned() } else { name.to_owned() };
+        notation.slide(order, part, &self.mechanism.slider_shown(slider, notation, &shown)).markup()
+    }
+
+    /// The symbol of a rate by its quantity name.
+    pub(crate) fn rate(&self, name: &str) -> String {
+        let slides = Order::ALL.into_iter().flat_map(|order| self.mechanism.slider_ids().map(move |id| (order, id)));
+        let mut slides = slides.filter(|&(order, id)| Rate::Slide(order, id).name(self.mechanism) == name);
+        slides.next().map_or_else(|| rate_symbol(name), |(order, id)| self.slide(order, SlidePart::Relative, id))
+    }
+
+    /// The name of a point in sentences: `F_0` for `F_ground`.
+    fn point_in_words(&self, name: &str) -> String {
+        let at = name.strip_suffix(&self.mechanism.body(GROUND).name).filter(|at| at.ends_with('_'));
+        at.map_or_else(|| name.to_owned(), |at| format!("{at}{}", self.words.ground()))
     }
 
     fn pole(&self, order: Order, images: &[String]) -> String {
@@ -157,9 +217,13 @@ impl<'a> Teller<'a> {
             VectorOf::Sliding(slider, under) => {
                 let name = self.slider_name(*slider);
                 let at = self.mechanism.point_name(self.mechanism.slider(*slider).at);
-                let (language, notation) = (self.words.language, self.words.notation);
-                let caption = language.lay_off_sliding_velocity(&name, &marked(under), &marked(at));
-                (format!("v_{}({name})", notation.relative).into(), caption)
+                let under = marked(&self.point_in_words(under));
+                let sentence = match self.turned(Sheet::Velocity) {
+                    Some(_) => Language::lay_off_sliding_velocity_turned,
+                    None => Language::lay_off_sliding_velocity,
+                };
+                let caption = sentence(self.words.language, &name, &under, &marked(at));
+                (self.slide(Order::Velocity, SlidePart::Relative, *slider).into(), caption)
             }
             VectorOf::Passed(slide, part) => self.passed_part(slide, *part, arrow),
         }
@@ -180,7 +244,13 @@ impl<'a> Teller<'a> {
                 format!("a^{}{pair} = α_{link} L{pair}", notation.tangential),
                 language.lay_off_relative_tangential(link, &to, &from, &line),
             ),
-            _ => (format!("v{pair} = ω_{link} L{pair}"), language.lay_off_relative(link, &to, &from, &line)),
+            _ => {
+                let sentence = match self.turned(Sheet::Velocity) {
+                    Some(_) => Language::lay_off_relative_turned,
+                    None => Language::lay_off_relative,
+                };
+                (format!("v{pair} = ω_{link} L{pair}"), sentence(language, link, &to, &from, &line))
+            }
         };
         (equation.into(), caption)
     }
@@ -193,7 +263,7 @@ impl<'a> Teller<'a> {
         let name = &point_on(mechanism, base, point);
         let letter = order.vector();
         match &body.role {
-            Role::Driver { pivot, alpha, .. } => {
+            Role::Driver { pivot, omega, alpha, .. } => {
                 let (k, link) = (mechanism.point_name(*pivot), &body.name);
                 let (arm, line) = (format!("L{}", subscript(&[k, name])), format!("{k}{name}"));
                 let (end, pair) = (subscript(&[name]), subscript(&[name, k]));
@@ -210,15 +280,26 @@ impl<'a> Teller<'a> {
                         .into(),
                         language.lay_off_whole_acceleration(name, k, &line),
                     ),
-                    Order::Velocity => (
-                        format!("v{end} = ω_{link} {arm}").into(),
-                        language.lay_off_velocity(name, &line, link),
-                    ),
+                    Order::Velocity => {
+                        let caption = match self.turned(Sheet::Velocity) {
+                            // ω × r, turned as ω turns, points from the end of r to its start.
+                            Some(sense) => {
+                                let is_alike = (sense == TurnedName::CounterClockwise) == (*omega > 0.0);
+                                let [from, to] = if is_alike { [name.as_str(), k] } else { [k, name.as_str()] };
+                                language.lay_off_velocity_turned(name, &line, from, to)
+                            }
+                            None => language.lay_off_velocity(name, &line, link),
+                        };
+                        (format!("v{end} = ω_{link} {arm}").into(), caption)
+                    }
                 }
             }
             Role::Carrier { .. } => {
                 let vector = format!("{letter}_{name}");
-                let caption = language.lay_off_given(&vector);
+                let caption = match self.turned(order.sheet()) {
+                    Some(_) => language.lay_off_given_turned(&vector),
+                    None => language.lay_off_given(&vector),
+                };
                 let mut formula = Formula::default();
                 formula.vector(vector, Known::Entirely, None);
                 formula.words(language.given());
@@ -239,22 +320,27 @@ impl<'a> Teller<'a> {
         let mechanism = self.mechanism;
         let name = self.slider_name(slide.slider);
         let on = &mechanism.body(mechanism.slider(slide.slider).on).name;
-        let (language, notation) = (self.words.language, self.words.notation);
-        let (r, c) = (notation.relative, notation.coriolis);
+        let language = self.words.language;
+        let symbol = |order, part| self.slide(order, part, slide.slider);
         let equation = match part {
-            VectorPart::Coriolis => format!("a_{c}({name}) = 2 ω_{on} v_{r}({name})"),
-            _ => format!("{}_{r}({name})", arrow.order.vector()),
+            VectorPart::Coriolis => {
+                let coriolis = symbol(Order::Acceleration, SlidePart::Coriolis);
+                format!("{coriolis} = 2 ω_{on} {}", symbol(Order::Velocity, SlidePart::Relative))
+            }
+            _ => symbol(arrow.order, SlidePart::Relative),
         };
         let [from, to] = arrow.ends().map(marked);
         let caption = match (part, arrow.is_backwards()) {
             (VectorPart::Coriolis, false) => language.lay_off_coriolis(&name, on, &from, &to),
             (VectorPart::Coriolis, true) => language.lay_off_coriolis_backwards(&name, on, &from, &to),
             (_, is_backwards) => {
-                let sentence = match (arrow.order, is_backwards) {
-                    (Order::Acceleration, false) => Language::lay_off_sliding_acceleration,
-                    (Order::Acceleration, true) => Language::lay_off_sliding_acceleration_backwards,
-                    (Order::Velocity, false) => Language::lay_off_sliding_velocity,
-                    (Order::Velocity, true) => Language::lay_off_sliding_velocity_backwards,
+                let sentence = match (arrow.order, self.turned(arrow.order.sheet()), is_backwards) {
+                    (Order::Acceleration, _, false) => Language::lay_off_sliding_acceleration,
+                    (Order::Acceleration, _, true) => Language::lay_off_sliding_acceleration_backwards,
+                    (Order::Velocity, None, false) => Language::lay_off_sliding_velocity,
+                    (Order::Velocity, None, true) => Language::lay_off_sliding_velocity_backwards,
+                    (Order::Velocity, Some(_), false) => Language::lay_off_sliding_velocity_turned,
+                    (Order::Velocity, Some(_), true) => Language::lay_off_sliding_velocity_turned_backwards,
                 };
                 sentence(language, &name, &from, &to)
             }

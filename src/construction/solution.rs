@@ -27,6 +27,8 @@ pub struct Solution {
     pub motion: Motion,
     /// The plans of that motion.
     pub construction: Construction,
+    /// The same with the velocity plan turned, where the figure asks for it: see [`Solution::shown_construction`].
+    pub turned: Option<Box<Construction>>,
 }
 
 impl Solution {
@@ -38,7 +40,10 @@ impl Solution {
             ConstructionShown::Whole | ConstructionShown::Hidden => Extent::Points,
         };
         let construction = construct(&mechanism, &pose, &motion, extent);
-        Ok(Self { scene, mechanism, pose, motion, construction })
+        // A work sheet is drawn on.
+        let turned = scene.figure.turned.filter(|_| !scene.figure.worksheet);
+        let turned = turned.map(|sense| Box::new(construction.turned(sense)));
+        Ok(Self { scene, mechanism, pose, motion, construction, turned })
     }
 
     /// The solution of the mechanism in another position.
@@ -47,6 +52,13 @@ impl Solution {
     /// [`MotionError`] in a singular position.
     pub fn moved(&self, pose: Pose) -> Result<Self, MotionError> {
         Self::new(self.scene.clone(), self.mechanism.clone(), pose, self.motion.order)
+    }
+
+    /// The construction as figures and steps show it: with the velocity plan turned, where the figure asks for it. What a hand draws or
+    /// measures on, and what a result says, is [`Self::construction`].
+    #[must_use]
+    pub fn shown_construction(&self) -> &Construction {
+        self.turned.as_deref().unwrap_or(&self.construction)
     }
 
     /// Language and notation of the figure.

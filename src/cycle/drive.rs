@@ -157,18 +157,18 @@ pub(super) fn stands(input: &Input, pose: &Pose) -> f64 {
 }
 
 /// The rate of each drive per unit rate of the moved one, in degrees and lengths; zeros where that stands still.
-pub(super) fn ratios(kernel: &Kernel, moved: usize) -> Vec<f64> {
+pub(super) fn ratios(inputs: &[Input], moved: usize) -> Vec<f64> {
     let speed = |input: &Input| match input.kind {
         InputKind::Turning { .. } => input.rate.to_degrees(),
         InputKind::Sliding { .. } => input.rate,
     };
-    let by = speed(&kernel.inputs[moved]);
+    let by = speed(&inputs[moved]);
     let ratio = |(index, input): (usize, &Input)| match index == moved {
         true => 1.0,
         false if by == 0.0 => 0.0,
         false => speed(input) / by,
     };
-    kernel.inputs.iter().enumerate().map(ratio).collect()
+    inputs.iter().enumerate().map(ratio).collect()
 }
 
 /// A change or a rate of a drive's value in the kernel's unit: of an angle in radians.

@@ -120,7 +120,7 @@ fn extreme(path: &Path, walker: &mut Walker, unknown: Unknown, at: f64) -> Optio
             // Of links that turn together the one with most points is named: the lever, not the block on it.
             let links = mechanism.links().filter(|(id, _)| kernel.seat(*id).class == class);
             let (id, body) = links.min_by_key(|(_, body)| Reverse(body.points.len()))?;
-            let axis = block.turn(class, 0) * kernel.seat(id).turn * Vector::x();
+            let axis = block.turn(class, 0) * block.turn_in_class(id, 0) * Vector::x();
             Happening::TurnsBack { link: body.name.clone(), angle: degrees_of(axis) }
         }
     };

@@ -16,13 +16,14 @@
 //! at a limit, d^(−2) where a place runs off to infinity. Where a determinant passes through zero and rates do not
 //! grow (a change point), the polynomial is followed to the other side. Whether branches of a four-bar linkage cross, or
 //! only come near each other, and where a limit is, is told by sums of its lengths (`motion/reach.rs`).
-//! Mechanisms that differ in their numbers alone are moved side by side (`variants`); `alike` finds all their assemblies from those of one of them.
+//! Mechanisms that differ in their numbers alone are moved side by side (`variants`), from where the last positions let expect them (`kept`); `alike` finds all their assemblies from those of one of them.
 //! `still` says of one position what of it turns back there, in the same words.
 
 mod alike;
 mod curve;
 mod drive;
 mod event;
+mod kept;
 mod known;
 mod locus;
 mod mover;
@@ -44,9 +45,11 @@ mod traces;
 mod variants;
 mod walker;
 
+pub(crate) use alike::Assemblies;
 pub use curve::{Curve, Curves, Extreme};
 pub(crate) use drive::differing_drives;
 pub use drive::{Drive, alone};
+pub use kept::Kept;
 pub use locus::{Hodograph, Hodographs, PointPath, PointPaths, Tick};
 pub use mover::Mover;
 pub use path::{Event, Happening, Path};
@@ -58,7 +61,7 @@ pub use sampled::Sampled;
 pub use still::{told_turning_back, turning_back};
 pub use sweep::{Numbers, Sweep, every_name};
 pub use traces::{Animation, OtherModes, Times, Traces};
-pub use variants::{Kept, Variants};
+pub use variants::Variants;
 pub use walker::Walker;
 
 use crate::Problem;

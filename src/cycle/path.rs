@@ -121,7 +121,7 @@ impl<'a> Path<'a> {
     /// As [`Self::new`], of a mechanism that the path may own.
     pub(super) fn of(mechanism: Cow<'a, Mechanism>, pose: &Pose, drive: Drive) -> Result<Self, CycleError> {
         let kernel = Kernel::new(&mechanism).ok_or(CycleError::Drawn)?;
-        let ratios = ratios(&kernel, drive.input);
+        let ratios = ratios(&kernel.inputs, drive.input);
         let inputs: Vec<[f64; 2]> =
             kernel.inputs.iter().zip(ratios).map(|(i, ratio)| [stands(i, pose), ratio]).collect();
         let origin = inputs[drive.input][0];

@@ -22,10 +22,14 @@ pub struct Position<'a, R: Row = [f64; 1]> {
 }
 
 impl<R: Row> Position<'_, R> {
+    /// The rotation of a body's frame.
+    fn turn(&self, body: BodyId) -> Turn {
+        self.block.turn(self.kernel.seat(body).class, self.lane) * self.block.turn_in_class(body, self.lane)
+    }
+
     /// The direction of a body's own x axis.
     fn direction(&self, body: BodyId) -> Vector {
-        let seat = self.kernel.seat(body);
-        self.block.turn(seat.class, self.lane) * seat.turn * Vector::x()
+        self.turn(body) * Vector::x()
     }
 
     /// The position as a pose of the mechanism, for the stages that take one.
@@ -59,7 +63,7 @@ impl<R: Row> State for Position<'_, R> {
     }
 
     fn place(&self, point: PointId) -> Point {
-        self.block.place(point.0, self.lane) + self.kernel.origin
+        self.block.place(point.0, self.lane) + self.block.origin(self.lane)
     }
 
     fn axis(&self, link: BodyId) -> Option<Vector> {
@@ -69,8 +73,7 @@ impl<R: Row> State for Position<'_, R> {
     fn guide(&self, slider: SliderId) -> Vector {
         let slider = self.mechanism.slider(slider);
         let (_, along) = slider.line();
-        let seat = self.kernel.seat(slider.on);
-        self.block.turn(seat.class, self.lane) * seat.turn * along
+        self.turn(slider.on) * along
     }
 
     fn slide_position(&self, slider: SliderId) -> Option<f64> {
@@ -90,7 +93,7 @@ impl<R: Row> State for Position<'_, R> {
     fn motion_at(&self, body: BodyId, place: Point) -> [Vector; 2] {
         let slot = self.kernel.seat(body).slot;
         let [omega, alpha] = self.angular_rates(body);
-        let arm = place - (self.block.place(slot, self.lane) + self.kernel.origin);
+        let arm = place - (self.block.place(slot, self.lane) + self.block.origin(self.lane));
         let velocity = vector(&self.block.point_velocities[slot], self.lane);
         let acceleration = vector(&self.block.point_accelerations[slot], self.lane);
         [velocity + quarter_turn(arm) * omega, acceleration + quarter_turn(arm) * alpha - arm * (omega * omega)]
@@ -110,7 +113,7 @@ pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Sing
                 let mut links = mechanism.links().filter(|(id, _)| kernel.seat(*id).class == class);
                 let turn = links.find_map(|(id, _)| {
                     let axis = pose.axes[id.0]?.normalize();
-                    Some(kernel.seat(id).turn.inverse() * Turn::from_cos_sin_unchecked(axis.x, axis.y))
+                    Some(block.turn_in_class(id, 0).inverse() * Turn::from_cos_sin_unchecked(axis.x, axis.y))
                 });
                 let turn = turn.unwrap_or_else(Turn::identity);
                 block.turns[class] = [[turn.re], [turn.im]];

@@ -1,12 +1,14 @@
 use super::drive::{in_radians, ratios, stands};
+use super::kept::{Kept, Rates, kept_branch, run_on};
 use super::position::start;
 use super::{CycleError, Drive, Position};
 use crate::construction::Rate;
-use crate::geometry::{MANY, Many, Row};
-use crate::kernel::{Block, InputKind, Kernel, Single};
+use crate::geometry::{MANY, Many, Registers, Row, TOGETHER};
+use crate::kernel::{Block, Input, InputKind, Kernel, Single};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
 use fearless_simd::{Level, dispatch};
+use std::ops::Range;
 
 /// Mechanisms of one kind side by side: the same links, joints and drives in the same order, each with lengths and
 /// drives of its own.
@@ -16,14 +18,17 @@ use fearless_simd::{Level, dispatch};
 #[derive(Clone, Debug)]
 pub struct Variants<'a> {
     mechanisms: &'a [Mechanism],
-    kernels: Vec<Kernel>,
+    /// That of one of this kind.
+    kernel: Kernel,
     blocks: Vec<Block<Many>>,
     /// Where the mechanisms of the block that is being moved were.
     left: Stand,
-    /// By mechanism and drive: the drive's value.
-    drives: Vec<Vec<f64>>,
-    /// By mechanism and drive: the drive's value in the pose that the mechanism had first.
-    starts: Vec<Vec<f64>>,
+    /// By mechanism: its drives.
+    inputs: Vec<Input>,
+    /// By mechanism: the values of its drives.
+    drives: Vec<f64>,
+    /// By mechanism: the values of its drives in the pose that it had first.
+    starts: Vec<f64>,
     /// By mechanism: whether it closed at the values its drives were set to last.
     closed: Vec<bool>,
     registers: Level,
@@ -33,50 +38,41 @@ impl<'a> Variants<'a> {
     /// The mechanisms in these poses, with the rates that their drives have.
     ///
     /// # Errors
-    /// One is a drawn configuration, or not of the kind of the first.
+    /// One is a drawn configuration, or not of the kind of the first; or there is none.
     ///
     /// # Panics
     /// There are not as many poses as mechanisms.
     pub fn new(mechanisms: &'a [Mechanism], poses: &[Pose]) -> Result<Self, CycleError> {
         assert_eq!(mechanisms.len(), poses.len(), "each mechanism needs its pose");
-        let mut variants = Variants::unplaced(mechanisms, poses.iter())?;
-        for (index, pose) in poses.iter().enumerate() {
-            let started = start(&variants.kernels[index], &mechanisms[index], pose);
+        let kernels: Vec<Kernel> =
+            mechanisms.iter().map(Kernel::new).collect::<Option<_>>().ok_or(CycleError::Drawn)?;
+        let [first, ..] = &kernels[..] else { return Err(CycleError::NotOfOneKind(0)) };
+        if let Some(number) = kernels.iter().position(|kernel| !kernel.is_like(first)) {
+            return Err(CycleError::NotOfOneKind(number));
+        }
+        let (mut variants, _) = Variants::unplaced(first.clone(), mechanisms);
+        for (index, (kernel, pose)) in kernels.iter().zip(poses).enumerate() {
+            let started = start(kernel, &mechanisms[index], pose);
             variants.put((&started.turns, &started.slides), 0, index);
+            variants.start_drives(index, pose);
         }
         variants.compute();
         Ok(variants)
     }
 
-    /// The mechanisms, all to be started in poses of the first one; `None` where they are drawn, or not of one kind.
-    pub(super) fn all_in(mechanisms: &'a [Mechanism], pose: &Pose) -> Option<Self> {
-        Variants::unplaced(mechanisms, std::iter::repeat_n(pose, mechanisms.len())).ok()
-    }
-
-    /// Puts all mechanisms into a pose of the first one, from which they have to be moved to their own.
-    pub(super) fn start_all_in(&mut self, pose: &Pose) {
-        let started = start(&self.kernels[0], &self.mechanisms[0], pose);
-        for index in 0..self.count() {
-            self.put((&started.turns, &started.slides), 0, index);
-        }
-    }
-
-    /// The mechanisms with their lengths and rates, at no position yet; the values of drives that no scene gives are those of the poses.
-    fn unplaced<'p>(mechanisms: &'a [Mechanism], poses: impl Iterator<Item = &'p Pose>) -> Result<Self, CycleError> {
-        let kernels: Vec<Kernel> =
-            mechanisms.iter().map(Kernel::new).collect::<Option<_>>().ok_or(CycleError::Drawn)?;
-        let kind = kernels.first().map(Kernel::kind);
-        if let Some(number) = kernels.iter().position(|k| Some(k.kind()) != kind) {
-            return Err(CycleError::NotOfOneKind(number));
-        }
-        let count = kernels.len();
+    /// The mechanisms with their lengths and rates, at no position yet, and whether all are of the kind of the kernel.
+    pub(super) fn unplaced(kernel: Kernel, mechanisms: &'a [Mechanism]) -> (Self, bool) {
+        let count = mechanisms.len();
+        let inputs: Vec<Input> = mechanisms.iter().flat_map(|mechanism| kernel.inputs_of(mechanism)).collect();
+        let drives = kernel.inputs.len();
+        let mut is_like = true;
         let block = |first: usize| {
-            let mut block: Block<Many> = Block::new(&kernels[first]);
+            let mut block: Block<Many> = Block::new(&kernel);
             for lane in 0..MANY {
                 // Lanes beyond the last mechanism repeat it.
-                let kernel = &kernels[(first + lane).min(count - 1)];
-                block.set_lengths(lane, kernel);
-                for input in &kernel.inputs {
+                let mechanism = (first + lane).min(count - 1);
+                is_like &= block.set_lengths(lane, &kernel, &mechanisms[mechanism]);
+                for input in &inputs[mechanism * drives..][..drives] {
                     let (rates, seconds) = match input.kind {
                         InputKind::Turning { class } => (&mut block.omegas[class], &mut block.alphas[class]),
                         InputKind::Sliding { slider } => (&mut block.speeds[slider], &mut block.accelerations[slider]),
@@ -86,18 +82,33 @@ impl<'a> Variants<'a> {
             }
             block
         };
-        let drives = |(kernel, pose): (&Kernel, &Pose)| kernel.inputs.iter().map(|i| stands(i, pose)).collect();
-        let drives: Vec<Vec<f64>> = kernels.iter().zip(poses).map(drives).collect();
-        Ok(Variants {
+        let variants = Variants {
             mechanisms,
-            starts: drives.clone(),
             blocks: (0..count).step_by(MANY).map(block).collect(),
-            drives,
+            drives: vec![0.0; inputs.len()],
+            starts: vec![0.0; inputs.len()],
+            inputs,
             closed: vec![false; count],
             left: Stand::default(),
-            kernels,
+            kernel,
             registers: Level::new(),
-        })
+        };
+        (variants, is_like)
+    }
+
+    /// Sets the drives of a mechanism to the values that it has in its first pose; those that no scene gives are those of the pose.
+    pub(super) fn start_drives(&mut self, mechanism: usize, pose: &Pose) {
+        let own = self.of(mechanism);
+        for index in own {
+            self.starts[index] = stands(&self.inputs[index], pose);
+            self.drives[index] = self.starts[index];
+        }
+    }
+
+    /// The places of a mechanism's drives.
+    fn of(&self, mechanism: usize) -> Range<usize> {
+        let count = self.kernel.inputs.len();
+        mechanism * count..(mechanism + 1) * count
     }
 
     /// Number of mechanisms.
@@ -109,48 +120,51 @@ impl<'a> Variants<'a> {
     /// The values of a mechanism's drives, to be set: angles in degrees, or positions along guides, in the order of
     /// [`Mechanism::drive_names`].
     pub fn drives_mut(&mut self, mechanism: usize) -> &mut [f64] {
-        &mut self.drives[mechanism]
+        let own = self.of(mechanism);
+        &mut self.drives[own]
     }
 
     /// The value of a drive in the pose that a mechanism had first.
     #[must_use]
     pub fn start(&self, mechanism: usize, drive: &Drive) -> f64 {
-        self.starts[mechanism][drive.input]
+        self.starts[self.of(mechanism)][drive.input]
     }
 
     /// Sets one drive of a mechanism to a value; its other drives run along from the first pose in proportion to their speeds.
     pub fn set_along(&mut self, mechanism: usize, drive: &Drive, value: f64) {
-        if let [only] = &mut self.drives[mechanism][..] {
-            *only = value;
-            return;
+        let own = self.of(mechanism);
+        let moved = own.start + drive.input;
+        if own.len() > 1 {
+            let by = value - self.starts[moved];
+            let ratios = ratios(&self.inputs[own.clone()], drive.input);
+            for (index, ratio) in own.zip(ratios) {
+                self.drives[index] = self.starts[index] + by * ratio;
+            }
         }
-        let from = self.starts[mechanism][drive.input];
-        let ratios = ratios(&self.kernels[mechanism], drive.input);
-        for (index, ratio) in ratios.into_iter().enumerate() {
-            // The moved drive's own value keeps all of its bits.
-            let own = self.starts[mechanism][index] + (value - from) * ratio;
-            self.drives[mechanism][index] = if index == drive.input { value } else { own };
-        }
+        // The moved drive's own value keeps all of its bits.
+        self.drives[moved] = value;
     }
 
     /// Whether all drives run at constant speeds, and the moved one does move: then a change of its value takes a time.
     #[must_use]
     pub fn runs_evenly(&self, mechanism: usize, drive: &Drive) -> bool {
-        let inputs = &self.kernels[mechanism].inputs;
+        let inputs = &self.inputs[self.of(mechanism)];
         inputs[drive.input].rate != 0.0 && inputs.iter().all(|input| input.second == 0.0)
     }
 
-    /// The time in which a drive's value changes by so much.
+    /// By mechanism: the time in which a drive's value changes by so much; no time of those that do not move.
     #[must_use]
-    pub fn time(&self, mechanism: usize, drive: &Drive, change: f64) -> f64 {
-        let input = &self.kernels[mechanism].inputs[drive.input];
-        in_radians(input.kind, change) / input.rate
+    pub fn times(&self, drive: &Drive, change: f64, moves: &[bool]) -> Vec<f64> {
+        let inputs = self.inputs.iter().skip(drive.input).step_by(self.kernel.inputs.len());
+        let time =
+            |(input, moves): (&Input, &bool)| if *moves { in_radians(input.kind, change) / input.rate } else { 0.0 };
+        inputs.zip(moves).map(time).collect()
     }
 
     /// Where all mechanisms are now, with their rates.
     #[must_use]
     pub fn kept(&self) -> Kept {
-        Kept(self.blocks.iter().map(|block| Rates::of(&self.kernels[0], block)).collect())
+        Kept(self.blocks.iter().map(|block| Rates::of(&self.kernel, block)).collect())
     }
 
     /// Puts a mechanism where it was; its drives must then be set to values near those it had.
@@ -160,11 +174,26 @@ impl<'a> Variants<'a> {
     }
 
     /// Puts a mechanism where another position has its lane.
-    fn put<R: Row>(&mut self, (turns, slides): (&[[R; 2]], &[R]), here: usize, mechanism: usize) {
+    pub(super) fn put<R: Row>(&mut self, (turns, slides): (&[[R; 2]], &[R]), here: usize, mechanism: usize) {
         let (block, lane) = (&mut self.blocks[mechanism / MANY], mechanism % MANY);
         // Lanes beyond the last mechanism repeat it.
         let last = if mechanism + 1 == self.mechanisms.len() { MANY } else { lane + 1 };
         (lane..last).for_each(|to| copy((turns, slides), here, block, to));
+    }
+
+    /// Puts mechanisms where they are to be expected `times[mechanism]` after `was`, so that few corrections are left to [`Self::compute`]; those
+    /// without a time stay. The rates there say it, and those at `before`, if that is as long before.
+    ///
+    /// # Panics
+    /// There are not as many times as mechanisms.
+    pub fn run_on(&mut self, before: Option<&Kept>, was: &Kept, times: &[f64]) {
+        assert_eq!(times.len(), self.count(), "each mechanism needs its time");
+        let kernel = &self.kernel;
+        for (index, (block, was)) in self.blocks.iter_mut().zip(&was.0).enumerate() {
+            let before = before.map(|before| &before.0[index]);
+            let time = row(&times[index * MANY..]);
+            dispatch!(self.registers, simd => run_on(Registers::<_, TOGETHER>(simd), kernel, before, was, block, &time));
+        }
     }
 
     /// Whether a mechanism closed at the values its drives were set to last.
@@ -173,14 +202,14 @@ impl<'a> Variants<'a> {
         self.closed[mechanism]
     }
 
-    /// A rate of all mechanisms where they are now, [`MANY`] by [`MANY`]; of what did not close it says nothing.
-    pub fn rates(&self, rate: Rate) -> impl Iterator<Item = &[f64]> {
-        let kernel = &self.kernels[0];
-        let rows = self.blocks.iter().map(move |block| match rate {
-            Rate::Angular(order, body) => &[&block.omegas, &block.alphas][order][kernel.seat(body).class].0,
-            Rate::Slide(order, slider) => &[&block.speeds, &block.accelerations][order][slider.0].0,
-        });
-        rows.enumerate().map(|(block, row)| &row[..MANY.min(self.count() - block * MANY)])
+    /// A rate of all mechanisms where they are now, [`MANY`] by [`MANY`]; of what did not close it says nothing, and beyond the last it is
+    /// repeated.
+    pub fn rates(&self, rate: Rate) -> impl Iterator<Item = &Many> {
+        let kernel = &self.kernel;
+        self.blocks.iter().map(move |block| match rate {
+            Rate::Angular(order, body) => &[&block.omegas, &block.alphas][order][kernel.seat(body).class],
+            Rate::Slide(order, slider) => &[&block.speeds, &block.accelerations][order][slider.0],
+        })
     }
 
     /// By mechanism: whether it has stayed on one branch since `before`, `times[mechanism]` ago: the determinants of all groups kept
@@ -193,10 +222,9 @@ impl<'a> Variants<'a> {
     pub fn kept_branch(&self, before: &Kept, times: &[f64]) -> Vec<bool> {
         assert_eq!(times.len(), self.count(), "each mechanism needs its time");
         let mut all = Vec::with_capacity(times.len());
+        let kernel = &self.kernel;
         for ((was, block), times) in before.0.iter().zip(&self.blocks).zip(times.chunks(MANY)) {
-            let mut time = Many::splat(0.0);
-            time.0[..times.len()].copy_from_slice(times);
-            let kernel = &self.kernels[0];
+            let time = row(times);
             let kept_branch = dispatch!(self.registers, _simd => kept_branch(kernel, was, block, &time));
             all.extend_from_slice(&kept_branch[..times.len()]);
         }
@@ -228,11 +256,12 @@ impl<'a> Variants<'a> {
 
     /// Whether a mechanism closes at the values of its drives, starting from where it is.
     fn reaches(&self, index: usize) -> bool {
-        let kernel = &self.kernels[index];
+        let kernel = &self.kernel;
         let mut single = Single::new(kernel);
+        single.set_lengths(0, kernel, &self.mechanisms[index]);
         let block = &self.blocks[index / MANY];
         copy((&block.turns, &block.slides), index % MANY, &mut single, 0);
-        for (input, value) in self.drives[index].iter().enumerate() {
+        for (input, value) in self.drives[self.of(index)].iter().enumerate() {
             kernel.set_input(&mut single, input, &[*value]);
         }
         kernel.assemble(&mut single, SURE).closed
@@ -241,25 +270,23 @@ impl<'a> Variants<'a> {
     /// Moves those mechanisms of a block that are marked as closed to the values of their drives; whether all loops
     /// closed.
     fn compute_block(&mut self, first: usize) -> bool {
-        let (count, kernel) = (self.count(), &self.kernels[first]);
+        let (count, kernel, registers) = (self.count(), &self.kernel, self.registers);
+        let drives = kernel.inputs.len();
         let block = &mut self.blocks[first / MANY];
-        for input in 0..kernel.inputs.len() {
-            let mut values = Many::splat(0.0);
-            for lane in 0..MANY {
-                values[lane] = self.drives[(first + lane).min(count - 1)][input];
+        let of_lane = |lane: usize| (first + lane).min(count - 1);
+        let begun = dispatch!(registers, simd => {
+            let lanes = Registers::<_, TOGETHER>(simd);
+            for input in 0..drives {
+                let mut values = Many::splat(0.0);
+                (0..MANY).for_each(|lane| values[lane] = self.drives[of_lane(lane) * drives + input]);
+                kernel.set_input_in(lanes, block, input, &values);
             }
-            kernel.set_input(block, input, &values);
-        }
-        for lane in 0..MANY {
-            if !self.closed[(first + lane).min(count - 1)] {
+            for lane in (0..MANY).filter(|lane| !self.closed[of_lane(*lane)]) {
                 copy((&self.left.turns, &self.left.slides), lane, block, lane);
             }
-        }
-        let is_closed = kernel.assemble_many(self.registers, block, SURE).closed;
-        if is_closed {
-            kernel.rates_many(self.registers, block);
-        }
-        is_closed
+            kernel.begin_motions(lanes, block, SURE, STEPS)
+        });
+        kernel.finish_motions(registers, block, SURE, begun).closed
     }
 
     /// The position of a mechanism, with its rates; `None` if it did not close at the values of its drives.
@@ -267,29 +294,18 @@ impl<'a> Variants<'a> {
     pub fn position(&self, mechanism: usize) -> Option<Position<'_, Many>> {
         self.closed[mechanism].then(|| Position {
             mechanism: &self.mechanisms[mechanism],
-            kernel: &self.kernels[mechanism],
+            kernel: &self.kernel,
             block: &self.blocks[mechanism / MANY],
             lane: mechanism % MANY,
         })
     }
 }
 
-/// Angle, in radians, or part of a slide to which positions and rates must agree.
-const AGREED: f64 = 1e-4;
+/// Newton steps from where a mechanism is expected, or from another one's assembly; if there must be more, each is made by itself.
+const STEPS: usize = 6;
 
 /// Correction, in radians or parts of a group's size, whose square is a hundredth of rounding; both grow alike towards singular positions.
 const SURE: f64 = 1e-9;
-
-/// The sine of up to a radian, to a millionth.
-#[inline(always)]
-fn short_sine(x: f64) -> f64 {
-    let square = x * x;
-    x * (1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0 * (1.0 - square / 72.0))))
-}
-
-/// Where mechanisms side by side were, with their rates.
-#[derive(Clone, Debug)]
-pub struct Kept(Vec<Rates>);
 
 /// Where the mechanisms of a block were.
 #[derive(Clone, Debug, Default)]
@@ -306,88 +322,12 @@ impl Stand {
     }
 }
 
-/// All rows of a block in one piece of memory: many are kept.
-#[derive(Clone, Debug)]
-struct Rates(Vec<Many>);
-
-/// The rows of [`Rates`].
-struct Rows<'a> {
-    turns: &'a [[Many; 2]],
-    slides: &'a [Many],
-    omegas: &'a [Many],
-    alphas: &'a [Many],
-    speeds: &'a [Many],
-    accelerations: &'a [Many],
-    /// By group.
-    inverse_determinants: &'a [Many],
-}
-
-impl Rates {
-    fn of(kernel: &Kernel, block: &Block<Many>) -> Rates {
-        let groups = kernel.unknowns.len();
-        let mut rows = Vec::with_capacity(4 * block.omegas.len() + 3 * block.slides.len() + groups);
-        rows.extend_from_slice(block.turns.as_flattened());
-        for part in [&block.slides, &block.omegas, &block.alphas, &block.speeds, &block.accelerations] {
-            rows.extend_from_slice(part);
-        }
-        rows.extend((0..groups).map(|group| kernel.inverse_determinants(block, group)));
-        Rates(rows)
-    }
-
-    /// The rows, of which a block has as many.
-    fn rows(&self, block: &Block<Many>) -> Rows<'_> {
-        let (classes, sliders) = (block.omegas.len(), block.slides.len());
-        let (turns, rest) = self.0.split_at(2 * classes);
-        let (slides, rest) = rest.split_at(sliders);
-        let (omegas, rest) = rest.split_at(classes);
-        let (alphas, rest) = rest.split_at(classes);
-        let (speeds, rest) = rest.split_at(sliders);
-        let (accelerations, inverse_determinants) = rest.split_at(sliders);
-        Rows { turns: turns.as_chunks().0, slides, omegas, alphas, speeds, accelerations, inverse_determinants }
-    }
-}
-
-/// As [`Variants::kept_branch`], for the mechanisms of a block.
-///
-/// What is wrong is counted, in numbers, so that the compiler uses registers of many.
-#[inline(always)]
-fn kept_branch(kernel: &Kernel, was: &Rates, block: &Block<Many>, time: &Many) -> [bool; MANY] {
-    let was = was.rows(block);
-    let mut wrong = Many::splat(0.0);
-    let mut ask = |lane: usize, is_right: bool| wrong[lane] += if is_right { 0.0 } else { 1.0 };
-    for (group, was) in was.inverse_determinants.iter().enumerate() {
-        let is = kernel.inverse_determinants(block, group);
-        for lane in 0..MANY {
-            ask(
-                lane,
-                (is[lane].abs() < f64::INFINITY) & (was[lane].abs() < f64::INFINITY) & (is[lane] * was[lane] > 0.0),
-            );
-        }
-    }
-    let passed =
-        |time: f64, was: [f64; 2], is: [f64; 2]| time * (0.5 * (was[0] + is[0]) + time / 12.0 * (was[1] - is[1]));
-    for (class, (from, to)) in was.turns.iter().zip(&block.turns).enumerate() {
-        let (omegas, alphas) = ([&was.omegas[class], &block.omegas[class]], [&was.alphas[class], &block.alphas[class]]);
-        for lane in 0..MANY {
-            let rates = |end: usize| [omegas[end][lane], alphas[end][lane]];
-            let by = passed(time[lane], rates(0), rates(1));
-            let ([c0, s0], [c1, s1]) = ([from[0][lane], from[1][lane]], [to[0][lane], to[1][lane]]);
-            let (sine, cosine) = (c0 * s1 - s0 * c1, c0 * c1 + s0 * s1);
-            ask(lane, (by.abs() <= 1.0) & (cosine > 0.0) & ((sine - short_sine(by)).abs() <= AGREED));
-        }
-    }
-    for (slider, (from, to)) in was.slides.iter().zip(&block.slides).enumerate() {
-        let speeds = [&was.speeds[slider], &block.speeds[slider]];
-        let seconds = [&was.accelerations[slider], &block.accelerations[slider]];
-        for lane in 0..MANY {
-            let rates = |end: usize| [speeds[end][lane], seconds[end][lane]];
-            let by = passed(time[lane], rates(0), rates(1));
-            let size = to[lane].abs().max(from[lane].abs());
-            let moved = to[lane] - from[lane];
-            ask(lane, (moved - by).abs() <= AGREED * size.max(moved.abs()));
-        }
-    }
-    wrong.0.map(|count| count == 0.0)
+/// A row of these numbers, as many as there are for it; beyond the last that is repeated, as mechanisms are.
+fn row(numbers: &[f64]) -> Many {
+    let mut row = Many::splat(numbers.last().copied().unwrap_or_default());
+    let count = numbers.len().min(MANY);
+    row.0[..count].copy_from_slice(&numbers[..count]);
+    row
 }
 
 /// Copies all angles and slides of one position to another.

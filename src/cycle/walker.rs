@@ -235,6 +235,10 @@ impl<'a> Walker<'a, Many> {
     /// Predicts positions and begins with the motions there: in one function, which is called once for many positions.
     #[inline(always)]
     fn begin_motions<L: Lanes>(&mut self, lanes: L, values: &Many, sure: f64) -> Option<Begun<'a>> {
-        if self.predict(lanes, values) { Some(self.kernel.begin_motions(lanes, &mut self.block, sure)) } else { None }
+        if self.predict(lanes, values) {
+            Some(self.kernel.begin_motions(lanes, &mut self.block, sure, 1))
+        } else {
+            None
+        }
     }
 }

@@ -47,7 +47,7 @@ fn at_scale(whole: &Placed, mu: f64) -> Placed {
 
 /// The finest scale at which the plan of a position has room about its pole; none where there is no plan, and where nothing moves.
 fn fitting(whole: &Placed, solution: &Solution) -> Option<f64> {
-    let plan = solution.construction.plan_on(whole.needs.sheet)?;
+    let plan = solution.shown_construction().plan_on(whole.needs.sheet)?;
     let Extent { low, high } = extent(plan, solution.scene.figure.construction);
     let (pole, area) = (whole.view(None).at(Point::origin()), whole.area);
     let sides = [

@@ -43,7 +43,7 @@ pub fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
 }
 
 /// The part of the segment between two points that lies in `area`; `None` where it misses.
-pub(super) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
+pub(crate) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
     let d = b - a;
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for (start, step, near, far) in [(a.x, d.x, area.x0, area.x1), (a.y, d.y, area.y0, area.y1)] {

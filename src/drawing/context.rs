@@ -147,7 +147,12 @@ impl<'a> SheetContext<'a> {
     }
 
     pub(super) fn construction(&self) -> &'a Construction {
-        &self.solution.construction
+        let is_for_hand = self.surface.series == Series::Hand || self.figure().worksheet;
+        match self.purpose == Purpose::Figure && !is_for_hand {
+            true => self.solution.shown_construction(),
+            // What a hand draws or measures on shows velocities as they are.
+            false => &self.solution.construction,
+        }
     }
 
     /// The plan of a sheet; none for the scheme.
@@ -157,7 +162,12 @@ impl<'a> SheetContext<'a> {
 
     /// The writer of captions in the figure's language.
     pub(super) fn teller(&self) -> Teller<'_> {
-        Teller::new(self.solution, &self.words)
+        Teller::of(self.solution, self.construction(), &self.words)
+    }
+
+    /// The heading of a sheet.
+    pub(super) fn sheet_name(&self, sheet: Sheet) -> String {
+        self.teller().sheet_name(sheet)
     }
 
     pub(super) fn title(&self) -> Untrusted {
@@ -187,11 +197,11 @@ impl<'a> SheetContext<'a> {
     /// The markup of a point's name in the figure's notation.
     fn standard(&self, name: &str, plan: Option<&Plan>) -> String {
         if plan.is_none() && name == self.mechanism().body(GROUND).name {
-            return self.words.language.ground().to_owned();
+            return self.words.ground().to_owned();
         }
         let written = self.facts.markup(name);
         match plan {
-            Some(plan) => plan.shown(name, written, self.words.notation),
+            Some(plan) => plan.shown(name, written, &self.words.notation),
             None => written,
         }
     }

@@ -180,7 +180,7 @@ fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, first: u16) -> 
     let is_wanted = |sheet: &Sheet| shown.contains(sheet) && mu[*sheet].is_some();
     let plans: Vec<Sheet> = context.construction().plans().map(Plan::sheet).filter(is_wanted).collect();
     let sheet = |page: Page, plans: &[Sheet], number: u16| {
-        sheet_of_plans(&context.on_page(page, mu).with_markers(), plans, number, name)
+        sheet_of_plans(&context.on_page(page, mu).with_markers(), plans, number, name, None)
     };
     if plans.len() > 1
         && let (all, true) = sheet(own, &plans, first)
@@ -196,9 +196,43 @@ fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, first: u16) -> 
     plans.iter().zip(first..).map(alone).collect()
 }
 
+/// What is drawn on an empty panel.
+pub(super) type Drawn<'a> = &'a dyn Fn(&mut Canvas<'_>, &View, &SheetContext<'_>);
+
+/// The sheet for a plan as a student gets it, with something drawn on it: of the same size and with the same code as the empty one.
+pub(super) fn plan_sheet_with(
+    solution: &Solution,
+    scales: &Scales,
+    name: &str,
+    (plan, number): (Sheet, u16),
+    drawn: Drawn<'_>,
+) -> Drawing {
+    let context = SheetContext::new(solution, Purpose::Drawing);
+    let mu = PerSheet::from_fn(|sheet| scales[sheet].filter(|_| sheet == plan));
+    let pages = pages(context.figure().page);
+    let on_page =
+        |page: Page| sheet_of_plans(&context.on_page(page, mu).with_markers(), &[plan], number, name, Some(drawn));
+    let mut tried = pages.into_iter().flatten().map(on_page);
+    let fitting = tried.find_map(|(drawing, fits)| fits.then_some(drawing));
+    fitting.unwrap_or_else(|| on_page(pages[1][0]).0)
+}
+
 /// A sheet for some plans, and whether it has room for them.
-fn sheet_of_plans(context: &SheetContext<'_>, plans: &[Sheet], number: u16, name: &str) -> (Drawing, bool) {
-    let sheet = Composition::new(context, plans.iter().filter_map(|plan| panel(context, *plan)).collect());
+fn sheet_of_plans<'a>(
+    context: &'a SheetContext<'a>,
+    plans: &[Sheet],
+    number: u16,
+    name: &str,
+    drawn: Option<Drawn<'a>>,
+) -> (Drawing, bool) {
+    let panels = plans.iter().filter_map(|plan| {
+        let mut panel = panel(context, *plan)?;
+        if let Some(drawn) = drawn {
+            panel.layers.push(Box::new(move |canvas: &mut Canvas<'_>, view: &View| drawn(canvas, view, context)));
+        }
+        Some(panel)
+    });
+    let sheet = Composition::new(context, panels.collect());
     let has_markers = context.surface.dims.free.has_markers();
     let sentence = has_markers.then(|| context.words.language.sheet_markers().to_owned());
     let sheet = with_notes(sheet.with_code(number, name), [Vec::new(), Vec::from_iter(sentence)], true);

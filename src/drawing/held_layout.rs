@@ -244,7 +244,7 @@ impl HeldLayout {
     #[must_use]
     pub fn drag(&mut self, solution: &Solution, modes: Option<&OtherModes>, step: Option<usize>) -> Drawing {
         let mut held = std::mem::take(&mut self.held);
-        let construction = &solution.construction;
+        let construction = solution.shown_construction();
         let count = match self.contents.steps {
             Some(Steps::Coarse) => construction.passages().len(),
             _ => construction.step_count(),
@@ -368,7 +368,7 @@ impl HeldLayout {
 
     /// The plans that are shown, with their views.
     fn plan_views<'a>(&self, solution: &'a Solution) -> Vec<(Sheet, &'a Plan, View)> {
-        let shown = solution.construction.plans().filter_map(|plan| {
+        let shown = solution.shown_construction().plans().filter_map(|plan| {
             let sheet = plan.sheet();
             Some((sheet, plan, self.layout.placed(sheet)?.view(None)))
         });

@@ -58,6 +58,7 @@
 //! (`inset`).
 
 mod at_rest;
+mod by_hand;
 mod canvas;
 #[doc(hidden)] // for tests
 pub mod clip;
@@ -109,7 +110,9 @@ mod view;
 mod words;
 mod worksheet;
 
+pub use by_hand::{HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, hand_sheet, hand_sheets};
 pub use correction::{SeenPoint, over_photo, overlay, overlay_words};
+#[doc(inline)]
 pub use curves::{CurvesError, curves, drive_ends, hodograph_ways, hodographs, path_ways, paths};
 pub use draft::{DraftView, draft};
 pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
@@ -117,11 +120,14 @@ pub use facts::Steps;
 pub use figure::FigureSheets;
 pub use film::{Film, Timing};
 pub use fonts::{ITALIC, REGULAR};
+#[doc(hidden)] // for tests
 pub use grid::Obstacles;
 pub use held_layout::{Handle, HeldLayout, HeldPanel, Pane, Positions};
+#[doc(hidden)] // for tests
 pub use labels::{LabelRequest, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look, Pen};
 pub use markup::{Run, Script};
+#[doc(inline)]
 pub use overlay::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};
 pub use shape::Shape;
 pub use sheet::{Drawing, Emphasis, Mark, Unlabelled, UnlabelledName};

@@ -285,7 +285,7 @@ pub(super) fn panels<'a>(
     layers: impl Fn(Sheet) -> Vec<Layer<'a>>,
 ) -> Vec<Panel<'a>> {
     let panel = |(index, &(sheet, extent)): (usize, &(Sheet, Extent))| {
-        let name = context.words.language.sheet(sheet);
+        let name = &context.sheet_name(sheet);
         let line = |heading: &str| Line::new(vec![RichText::plain(heading)]);
         let frame = |index| Frame {
             short: Some(line(name)),

@@ -44,7 +44,7 @@ pub(super) fn sheets_of_parts(context: &SheetContext<'_>, layout: &Layout, figur
     let sheets = crowded.flat_map(|(index, (placed, _))| {
         let plan = context.plan(placed.needs.sheet);
         let parts = plan.map_or_else(Vec::new, |plan| parts(&context, plan));
-        let heading = numbered(index, context.words.language.sheet(placed.needs.sheet));
+        let heading = numbered(index, &context.sheet_name(placed.needs.sheet));
         let of = plan.map(|plan| PlanInSteps::new(&context, plan));
         let sheets = parts.iter().filter_map(|part| part.sheet(&context, of.as_ref()?, placed, &heading));
         sheets.collect::<Vec<_>>()
@@ -133,7 +133,7 @@ impl Part {
             plan::draw(canvas, view, own, plan);
             canvas.show_part(&self.steps, &starts);
         };
-        let name = own.words.language.sheet(sheet);
+        let name = &own.sheet_name(sheet);
         let panel = Panel {
             language: Some(own.words.language),
             ..Panel::plain(name, sheet.as_str(), needs, frame, vec![Box::new(layer)])

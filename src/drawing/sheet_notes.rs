@@ -60,7 +60,7 @@ impl SheetContext<'_> {
         match &asked.what {
             What::Segment(_, [from, to]) => between(from, to),
             What::Length(from, to) => between(from.name(), to.name()),
-            _ => asked.symbol(self.mechanism(), self.words.notation, &|name| self.shown(name, None)),
+            _ => asked.symbol(self.mechanism(), &self.words.notation, &|name| self.shown(name, None)),
         }
     }
 

@@ -12,7 +12,7 @@ use super::sheet::{Drawing, Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use super::view::{Extent, fitting_scale};
 use crate::construction::{
-    Action, Formula, Known, LegEquation, NumberedStep, Passage, Plan, Ray, Relation, VectorPart, rate_symbol,
+    Action, Formula, Known, LegEquation, NumberedStep, Passage, Plan, Ray, Relation, VectorPart,
 };
 use crate::geometry::{Vector, degrees_of};
 use crate::scene::QuantityName;
@@ -304,11 +304,12 @@ impl Writer<'_> {
             let from = Point::new(self.area.x0 + column * place, self.area.y0 + SECOND + row_height * row);
             self.line(equation, EQUATION, from, column - 4.0);
         }
+        let teller = self.context.teller();
         let found = unknowns.iter().enumerate().flat_map(|(index, (name, value))| {
             let unit = QuantityName::parse(name).map(|name| name.kind().unit(self.context.solution.scene.units));
             let value = format!(" = {} {}", self.context.words.write(*value, VALUE), unit.unwrap_or_default());
             let comma = RichText::plain(if index > 0 { ",   " } else { "" });
-            [comma, RichText::math(&rate_symbol(name)), RichText::plain(&value)]
+            [comma, RichText::math(&teller.rate(name)), RichText::plain(&value)]
         });
         let found: Vec<RichText> = found.collect();
         let from = Point::new(self.area.x0, self.area.y0 + SECOND + row_height * lines);

@@ -36,6 +36,7 @@ pub use names::Named;
 pub use placed::{apply_in_place, with_places};
 pub use position::{with_mode, with_position};
 pub use present::places;
+#[doc(inline)]
 pub use reshape::{Pins, Reshape, Reshaped};
 
 use crate::scene::{Figure, Scene, SceneError, figure_keys};

@@ -5,8 +5,8 @@ use crate::construction::Solution;
 use crate::drawing::{Drawing, KeyRow, drawing_sheets};
 use crate::quantity::{Pencil, QuantityKind, QuantityRequest};
 use crate::scene::{Along, At, GivenBy, On, Scene, Shape};
-use crate::sheet::{Scales, Sheet};
-use crate::words::{Medium, NumberStyle, Wording};
+use crate::sheet::{Order, Scales, Sheet};
+use crate::words::{Medium, NumberStyle, SlidePart, SliderNames, Wording, under};
 use serde_json::Value;
 
 impl Solution {
@@ -159,17 +159,18 @@ impl Teller<'_> {
             }
         }
         for slider in &self.scene.sliders {
-            let (Some(drive), Some(link)) = (&slider.drive, &slider.link) else {
+            let (Some(drive), Some(link), Some(at)) = (&slider.drive, &slider.link, &slider.at) else {
                 continue;
             };
             let on = match &slider.on {
-                On::Ground => self.words.language.ground(),
+                On::Ground => self.words.ground(),
                 On::Link(on) => on,
             };
-            let (r, name) = (self.words.notation.relative, format!("({link}/{on})"));
+            let points = [link.as_str(), on].map(|link| under(at, link));
+            let names = SliderNames { pair: format!("{link}/{on}"), points };
             let position = drive.position;
-            told.extend(position.map(|x| self.value(&format!("s{name}"), x, QuantityKind::Length)));
-            let [v, a] = ["v", "a"].map(|letter| format!("{letter}_{{{r}}}{name}"));
+            told.extend(position.map(|x| self.value(&format!("s({})", names.pair), x, QuantityKind::Length)));
+            let [v, a] = Order::ALL.map(|of| self.words.notation.slide(of, SlidePart::Relative, &names).markup());
             told.push(self.value(&v, drive.speed, QuantityKind::Velocity));
             told.push(self.value(&a, drive.acceleration, QuantityKind::Acceleration));
         }

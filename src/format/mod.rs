@@ -27,6 +27,7 @@ mod workbench;
 
 #[cfg(feature = "arrow")]
 pub use self::columns::{ColumnFormat, Columns};
+#[doc(inline)]
 pub use self::digits::DigitRow;
 pub use self::feedback::{FEEDBACK_MARK, feedback_html, html_text};
 #[cfg(feature = "png")]

@@ -258,7 +258,7 @@ impl Solution {
     }
 
     fn result_within(&self, bounds: &Bounds<'_>) -> ResultFile {
-        let Solution { scene, mechanism, pose, motion, construction } = self;
+        let Solution { scene, mechanism, pose, motion, construction, .. } = self;
         let second = |value: f64| (motion.order == Order::Acceleration).then_some(value);
         let links = mechanism.links().filter(|(_, body)| body.role != Role::Unsolved).map(|(id, body)| {
             let (rates, at_position) = (motion.body(id), motion.errors[id.0]);

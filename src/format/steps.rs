@@ -21,10 +21,10 @@ impl Solution {
     /// bands of hand drawings.
     #[must_use]
     pub fn steps(&self, pencil: &Pencil) -> String {
-        let Solution { scene, construction, .. } = self;
+        let (scene, construction) = (&self.scene, self.shown_construction());
         let words = self.wording();
         let language = words.language;
-        let teller = Teller::new(self, &words);
+        let teller = Teller::shown(self, &words);
         let style = SEVEN_DIGITS;
         let mut list = StepList { text: String::new(), units: scene.units, words: &words, teller, pencil, style };
         if let Some(title) = scene.title.as_ref().filter(|title| !title.is_blank()) {
@@ -35,9 +35,9 @@ impl Solution {
         let mut sheet = None;
         for step in construction.numbered_steps() {
             if sheet.replace(step.sheet) != Some(step.sheet) {
-                list.heading(match step.sheet {
-                    Sheet::Scheme => language.on_the_mechanism(),
-                    sheet => language.sheet(sheet),
+                list.heading(&match step.sheet {
+                    Sheet::Scheme => language.on_the_mechanism().to_owned(),
+                    sheet => list.teller.sheet_name(sheet),
                 });
             }
             list.step(&step);
@@ -55,11 +55,11 @@ impl Solution {
 #[must_use]
 pub fn step_values(solution: &Solution) -> Vec<Vec<String>> {
     let words = solution.wording();
-    let teller = Teller::new(solution, &words);
+    let teller = Teller::shown(solution, &words);
     let none = Pencil { tolerance: Tolerance::default(), scales: Scales::default(), quantities: Vec::new() };
     let units = solution.scene.units;
     let list = StepList { text: String::new(), units, words: &words, teller, pencil: &none, style: FOUR_DIGITS };
-    solution.construction.numbered_steps().map(|step| list.details(&step)).collect()
+    solution.shown_construction().numbered_steps().map(|step| list.details(&step)).collect()
 }
 
 struct StepList<'a> {
@@ -192,7 +192,7 @@ impl StepList<'_> {
         let sheet = step.sheet;
         let equation = shown_text(&self.teller.formula(step).markup(), plan, self.words);
         let shown = |name: &str| match plan {
-            Some(plan) => plain_text(&plan.shown(name, name.to_owned(), self.words.notation)),
+            Some(plan) => plain_text(&plan.shown(name, name.to_owned(), &self.words.notation)),
             None => name.to_owned(),
         };
         let with_vector = |first: String| {

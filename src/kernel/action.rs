@@ -1,5 +1,6 @@
-use crate::geometry::{Point, Turn, Vector, quarter_turn};
-use crate::mechanism::{BodyId, Reduction};
+use super::lengths::{Lengths, Recipe, Spot};
+use crate::geometry::Point;
+use crate::mechanism::{BodyId, Mechanism, Reduction, Role, SliderId};
 use std::collections::BTreeSet;
 
 /// A mechanism compiled for many positions.
@@ -18,33 +19,29 @@ pub struct Kernel {
     pub(super) ties: usize,
     /// Number of slots: of points, then of places of bodies without points.
     pub(super) slots: usize,
-    /// Number of columns of loop equations; the first is zero.
-    pub(super) columns: usize,
-    pub(super) placings: usize,
-    /// Origin of the places in a block, a point of the ground: coordinates far from the fixed frame's origin would lose
-    /// digits.
-    pub origin: Vector,
-    pub(super) fixed: Vec<(usize, Point)>,
+    /// The slots of the ground's places.
+    pub(super) fixed: Vec<usize>,
+    pub(super) recipe: Recipe,
+    /// The numbers of the mechanism from which it was made.
+    pub(super) lengths: Lengths<[f64; 1]>,
     pub(super) actions: Vec<Action>,
     /// By group: the index of the action that closes it.
     pub(super) closings: Vec<usize>,
 }
 
-/// A body's class, its rotation in it, and the body's first point.
+/// A body's class and its first point.
 #[derive(Clone, Copy, Debug)]
 pub struct Seat {
     /// Its class.
     pub class: usize,
-    /// Rotation of the body's frame relative to the class.
-    pub turn: Turn,
     /// The slot of the body's first point.
     pub slot: usize,
     /// That point in the body's frame.
-    pub local: Point,
+    pub(super) spot: Spot,
 }
 
 /// A drive, whose value a scene or a sweep sets.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Input {
     /// The driven body; of a slider the sliding link.
     pub body: BodyId,
@@ -90,15 +87,13 @@ pub(super) enum Action {
     Close(Closing),
 }
 
-/// Placing of a point relative to one placed before: by `local`, rotated with the class, and along a slider.
+/// Placing of a point relative to one placed before: by a vector rotated with the class, and along a slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Placing {
     pub to: usize,
     pub from: usize,
     pub class: usize,
-    pub local: Vector,
-    /// The slider and its unit vector in the class's frame, in the direction of increasing position.
-    pub slide: Option<(usize, Vector)>,
+    pub slide: Option<usize>,
     /// Index of the vector between the two points among the block's reaches.
     pub reach: usize,
 }
@@ -141,7 +136,7 @@ pub(super) struct Chain {
     pub rails: Vec<Rail>,
     /// Whether it has a member whose rotation is known, or a driven slider.
     pub has_known: bool,
-    /// By unknown: its column; [`ZERO`] where the loop does not contain it.
+    /// By unknown: its column; [`ZERO`](super::lengths::ZERO) where the loop does not contain it.
     pub columns: Vec<usize>,
 }
 
@@ -173,8 +168,6 @@ pub(super) struct TiedClass {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Member {
     pub class: usize,
-    /// The vector in the class's frame, with all sliders at zero.
-    pub local: Vector,
     /// Index of its rotation among the unknowns; none for a known rotation.
     pub spin: Option<usize>,
     /// Column of its rotation: the vector turned by +90°.
@@ -186,8 +179,6 @@ pub(super) struct Member {
 pub(super) struct Rail {
     pub class: usize,
     pub slider: usize,
-    /// Its unit vector in the class's frame, positive along the loop.
-    pub direction: Vector,
     /// Index of its class's rotation among the unknowns.
     pub spin: Option<usize>,
     /// Index of its slide among the unknowns; none for a driven slider.
@@ -197,9 +188,6 @@ pub(super) struct Rail {
     /// Column of its slide: the unit vector in the fixed frame.
     pub column: usize,
 }
-
-/// The zero column, of unknowns that a loop does not contain.
-pub(super) const ZERO: usize = 0;
 
 /// Equations of one loop, or of two, that [`Reduced`](crate::geometry::Reduced) solves: its columns, and which of them
 /// change their length.
@@ -237,35 +225,12 @@ impl Reducing {
     }
 }
 
-impl Closing {
-    /// By column: vectors in the frames of their classes, of members turned by +90° and of guides.
-    pub fn lengths(&self) -> impl Iterator<Item = (usize, Vector)> + '_ {
-        let members = self.chains.iter().flat_map(|c| &c.members);
-        let rails = self.chains.iter().flat_map(|c| &c.rails);
-        let rails = rails.map(|r| (r.column, r.direction));
-        members.map(|m| (m.column, quarter_turn(m.local))).chain(rails)
-    }
-}
-
 impl Action {
-    /// The action with all lengths zero.
-    pub fn without_lengths(&self) -> Action {
-        let none = Vector::zeros();
+    /// The action whatever the size of a group is.
+    fn without_size(&self) -> Action {
         match self {
-            Action::Place(placing) => Action::Place(Placing {
-                local: none,
-                slide: placing.slide.map(|(slider, _)| (slider, none)),
-                ..*placing
-            }),
-            Action::Close(closing) => {
-                let mut copy = closing.clone();
-                for chain in &mut copy.chains {
-                    chain.members.iter_mut().for_each(|m| m.local = none);
-                    chain.rails.iter_mut().for_each(|r| r.direction = none);
-                }
-                (copy.size, copy.scales) = (0.0, Vec::new());
-                Action::Close(copy)
-            }
+            Action::Place(_) => self.clone(),
+            Action::Close(closing) => Action::Close(Closing { size: 0.0, scales: Vec::new(), ..closing.clone() }),
         }
     }
 }
@@ -274,14 +239,8 @@ impl Kernel {
     /// Whether `other` has the same actions in the same order, with any lengths.
     #[must_use]
     pub fn is_like(&self, other: &Kernel) -> bool {
-        self.kind() == other.kind()
-    }
-
-    /// What is the same of kernels of one kind.
-    pub(crate) fn kind(&self) -> impl PartialEq + use<> {
-        let slots: Vec<usize> = self.fixed.iter().map(|f| f.0).collect();
-        let actions: Vec<Action> = self.actions.iter().map(Action::without_lengths).collect();
-        (slots, actions)
+        let actions = |kernel: &Kernel| kernel.actions.iter().map(Action::without_size).collect::<Vec<Action>>();
+        self.fixed == other.fixed && actions(self) == actions(other)
     }
 
     /// A kernel without the points that are no end of a loop: for angles, slides and their rates only.
@@ -303,6 +262,25 @@ impl Kernel {
         }
         kept.reverse();
         Kernel { closings: closings(&kept), actions: kept, ..self.clone() }
+    }
+
+    /// The drives of a mechanism of this kind.
+    pub fn inputs_of(&self, mechanism: &Mechanism) -> impl Iterator<Item = Input> {
+        self.inputs.iter().map(|input| match (input.kind, &mechanism.body(input.body).role) {
+            (InputKind::Turning { .. }, Role::Driver { angle, omega, alpha, .. }) => {
+                Input { value: *angle, rate: *omega, second: *alpha, ..*input }
+            }
+            (InputKind::Sliding { slider }, _) if let Some(drive) = mechanism.slider(SliderId(slider)).drive => {
+                Input { value: drive.position, rate: drive.speed, second: drive.acceleration, ..*input }
+            }
+            _ => *input,
+        })
+    }
+
+    /// A body's first point in the body's frame.
+    #[must_use]
+    pub fn first_place(&self, mechanism: &Mechanism, body: BodyId) -> Point {
+        self.seat(body).spot.place(mechanism, body)
     }
 
     /// A body's class and first point.

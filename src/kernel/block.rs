@@ -1,6 +1,8 @@
 use super::Kernel;
-use super::action::{Action, Closing, Placing, Reducible, Reducing};
+use super::action::{Action, Closing, Reducible, Reducing};
+use super::lengths::{Lengths, ZERO};
 use crate::geometry::{LinearSystem, Point, Row, Turn, Vector};
+use crate::mechanism::{BodyId, Mechanism};
 
 /// Positions and rates of mechanisms of one kind, side by side: a row of numbers for each quantity.
 ///
@@ -12,7 +14,7 @@ pub struct Block<R: Row> {
     pub turns: Vec<[R; 2]>,
     /// By slider: its position along the guide.
     pub slides: Vec<R>,
-    /// By slot: the place of a point, relative to the kernel's origin.
+    /// By slot: the place of a point, relative to the origin.
     pub points: Vec<[R; 2]>,
     /// By class: angular velocity.
     pub omegas: Vec<R>,
@@ -44,17 +46,6 @@ pub struct Block<R: Row> {
 /// A block of one position.
 pub type Single = Block<[f64; 1]>;
 
-/// Vectors in the frames of their classes.
-#[derive(Clone, Debug)]
-pub(super) struct Lengths<R> {
-    /// By column, with all sliders at zero.
-    pub columns: Vec<[R; 2]>,
-    /// By placing: the vector between its points, with its slider at zero.
-    pub reaches: Vec<[R; 2]>,
-    /// By placing: the unit vector of its slider, if it has one.
-    pub guides: Vec<[R; 2]>,
-}
-
 /// A group's equations, factored.
 #[derive(Clone, Debug)]
 pub(super) struct System<R> {
@@ -83,50 +74,56 @@ impl<R: Row> Block<R> {
             accelerations: numbers(kernel.sliders),
             point_velocities: pairs(kernel.slots),
             point_accelerations: pairs(kernel.slots),
-            lengths: Lengths {
-                columns: pairs(kernel.columns),
-                reaches: pairs(kernel.placings),
-                guides: pairs(kernel.placings),
-            },
+            lengths: Lengths::repeat(&kernel.lengths),
             systems: vec![System::new(); kernel.unknowns.len()],
-            columns: pairs(kernel.columns),
-            reaches: pairs(kernel.placings),
+            columns: pairs(kernel.lengths.columns.len()),
+            reaches: pairs(kernel.lengths.reaches.len()),
             sides: pairs(kernel.loops),
             tie_sides: numbers(kernel.ties),
             solution: numbers(2 * kernel.loops + kernel.ties),
         };
-        (0..R::LEN).for_each(|position| block.set_lengths(position, kernel));
+        (0..R::LEN).for_each(|position| block.use_lengths(position, kernel));
         block
     }
 
-    /// Sets the lengths of one position to those of another mechanism of the same kind, as [`Kernel::is_like`] says.
-    pub fn set_lengths(&mut self, position: usize, kernel: &Kernel) {
-        let set = |rows: &mut [R; 2], v: Vector| {
-            rows[0][position] = v.x;
-            rows[1][position] = v.y;
-        };
-        for (slot, place) in &kernel.fixed {
-            set(&mut self.points[*slot], place.coords);
+    /// Sets the lengths of one position to those of another mechanism of the kernel's kind, as [`Kernel::is_like`] says. `false` if it is not
+    /// of that kind, as a vector does not vanish that vanishes in the kernel's own mechanism.
+    pub fn set_lengths(&mut self, position: usize, kernel: &Kernel, mechanism: &Mechanism) -> bool {
+        let is_like = kernel.recipe.measure(mechanism, &mut self.lengths, position);
+        self.use_lengths(position, kernel);
+        is_like
+    }
+
+    /// Brings what follows from lengths alone into line with them.
+    fn use_lengths(&mut self, position: usize, kernel: &Kernel) {
+        for (slot, place) in kernel.fixed.iter().zip(&self.lengths.fixed) {
+            for (to, from) in self.points[*slot].iter_mut().zip(place) {
+                to[position] = from[position];
+            }
         }
         for action in &kernel.actions {
-            match action {
-                Action::Place(Placing { reach, local, slide, .. }) => {
-                    set(&mut self.lengths.reaches[*reach], *local);
-                    if let Some((_, way)) = slide {
-                        set(&mut self.lengths.guides[*reach], *way);
-                    }
-                }
-                Action::Close(closing) => {
-                    for (column, length) in closing.lengths() {
-                        set(&mut self.lengths.columns[column], length);
-                    }
-                    let squares = &mut self.systems[closing.group].inverse_squares;
-                    for (row, square) in squares.iter_mut().zip(own_squares(closing)) {
-                        row[position] = 1.0 / square;
-                    }
+            if let Action::Close(closing) = action
+                && let Some(columns) = own_columns(closing)
+            {
+                let squares = &mut self.systems[closing.group].inverse_squares;
+                for (row, column) in squares.iter_mut().zip(columns).filter(|(_, column)| *column != ZERO) {
+                    row[position] = 1.0 / vector(&self.lengths.columns[column], position).norm_squared();
                 }
             }
         }
+    }
+
+    /// The origin of places, at one position.
+    #[must_use]
+    pub fn origin(&self, position: usize) -> Vector {
+        vector(&self.lengths.origin, position)
+    }
+
+    /// The rotation of a body's frame relative to its class, at one position.
+    #[must_use]
+    pub fn turn_in_class(&self, body: BodyId, position: usize) -> Turn {
+        let turn = vector(&self.lengths.turns[body.0], position);
+        Turn::from_cos_sin_unchecked(turn.x, turn.y)
     }
 
     /// The rotation of a class, at one position.
@@ -136,7 +133,7 @@ impl<R: Row> Block<R> {
         Turn::from_cos_sin_unchecked(turn.x, turn.y)
     }
 
-    /// The place of a slot relative to the kernel's origin, at one position.
+    /// The place of a slot relative to the origin, at one position.
     #[must_use]
     pub fn place(&self, slot: usize, position: usize) -> Point {
         vector(&self.points[slot], position).into()
@@ -149,15 +146,12 @@ impl<R: Row> System<R> {
     }
 }
 
-/// Squares of the columns of the two loops' own unknowns with all sliders at zero; 1 for other groups.
-fn own_squares(closing: &Closing) -> [f64; 2] {
+/// The columns of the two loops' own unknowns; `None` for other groups.
+fn own_columns(closing: &Closing) -> Option<[usize; 2]> {
     let Some(Reducing::Two(Reducible { columns, .. })) = closing.reduced else {
-        return [1.0; 2];
+        return None;
     };
-    columns.map(|[own, ..]| {
-        let length = closing.lengths().find(|(column, _)| *column == own);
-        length.map_or(1.0, |(_, v)| v.norm_squared())
-    })
+    Some(columns.map(|[own, ..]| own))
 }
 
 /// The vector at one position.

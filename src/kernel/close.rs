@@ -12,7 +12,7 @@ use fearless_simd::{Level, dispatch};
 const STEPS: usize = 12;
 
 /// Largest first correction, in radians or parts of the group's size, from a start that counts as near.
-const NEAR_START: f64 = 0.5;
+pub(super) const NEAR_START: f64 = 0.5;
 
 /// Largest correction, in radians, after which [`unit`] restores a direction's length 1.
 const SMALL: f64 = 1e-3;
@@ -208,7 +208,7 @@ pub(super) fn place<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &
         let turned = lanes.pair(turn, k).turn(lanes.pair(local, k));
         lanes.store_pair(reach, k, turned);
     }
-    if let Some((slider, _)) = placing.slide {
+    if let Some(slider) = placing.slide {
         let (way, slides) = (&block.lengths.guides[placing.reach], &block.slides[slider]);
         for k in portions::<L, R>() {
             let way = lanes.pair(turn, k).turn(lanes.pair(way, k));
@@ -313,7 +313,7 @@ pub(super) enum Size {
 
 impl Size {
     #[inline(always)]
-    fn of(largest: f64) -> Size {
+    pub fn of(largest: f64) -> Size {
         if largest < SMALL { Size::Small } else { Size::Large }
     }
 }

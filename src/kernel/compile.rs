@@ -1,12 +1,13 @@
 use super::action::{
     Action, Chain, Closing, Input, InputKind, Kernel, Member, Placing, Rail, Reducing, Seat, Shape, Tied, TiedClass,
-    Unknown, ZERO,
+    Unknown,
 };
 use super::classes::classes;
-use crate::geometry::{Point, Turn, Vector};
+use super::lengths::{Column, Recipe, Span, Spot, Sum, Way, ZERO, total};
+use crate::geometry::{Turn, Vector};
 use crate::mechanism::{
-    AngularConstraint, Body, BodyId, GROUND, Group, Joint, JointId, Loop, LoopEquations, Mechanism, Reduction, Role,
-    Slider, SliderId,
+    AngularConstraint, Body, BodyId, GROUND, Group, Joint, JointId, Loop, LoopEquations, Mechanism, PointId, Reduction,
+    Role, SliderId,
 };
 use crate::scene::GivenBy;
 
@@ -20,19 +21,23 @@ impl Kernel {
 
 struct Compiler<'a> {
     mechanism: &'a Mechanism,
-    /// By body: its class and its rotation in it.
-    classes: Vec<(usize, Turn)>,
-    /// By body: slot and local coordinates of its first point.
-    anchors: Vec<Option<(usize, Point)>>,
+    /// By body: its class.
+    classes: Vec<usize>,
+    /// By body: its rotation in its class.
+    turns: Vec<Turn>,
+    /// By body: slot and place of its first point.
+    anchors: Vec<Option<(usize, Spot)>>,
     placed: Vec<bool>,
     kernel: Kernel,
 }
 
 impl<'a> Compiler<'a> {
     fn new(mechanism: &'a Mechanism) -> Self {
-        let classes = classes(mechanism);
+        let (classes, turns) = classes(mechanism);
         let points = mechanism.points.len();
+        let recipe = Recipe { turns, ..Recipe::default() };
         Self {
+            turns: recipe.turns(mechanism),
             mechanism,
             anchors: vec![None; mechanism.bodies.len()],
             placed: vec![false; points],
@@ -40,15 +45,14 @@ impl<'a> Compiler<'a> {
                 seats: Vec::new(),
                 inputs: Vec::new(),
                 unknowns: Vec::new(),
-                classes: classes.iter().map(|c| c.0 + 1).max().unwrap_or(1),
+                classes: classes.iter().map(|class| class + 1).max().unwrap_or(1),
                 sliders: mechanism.sliders.len(),
                 loops: mechanism.groups.iter().map(|g| g.loops.len()).max().unwrap_or(0),
                 ties: 0,
                 slots: points,
-                columns: ZERO + 1,
-                placings: 0,
-                origin: Vector::zeros(),
                 fixed: Vec::new(),
+                lengths: recipe.nothing(),
+                recipe,
                 actions: Vec::new(),
                 closings: Vec::new(),
             },
@@ -62,9 +66,8 @@ impl<'a> Compiler<'a> {
             match body.role {
                 Role::Ground => self.place_ground(body),
                 Role::Driver { pivot, angle, omega, alpha, .. } => {
-                    let local = body.local_of(pivot).unwrap_or_else(Point::origin);
-                    self.place_body(id, pivot.0, local);
-                    let class = self.classes[id.0].0;
+                    self.place_body(id, pivot.0, self.spot(id, pivot));
+                    let class = self.classes[id.0];
                     self.kernel.inputs.push(Input {
                         body: id,
                         kind: InputKind::Turning { class },
@@ -99,40 +102,50 @@ impl<'a> Compiler<'a> {
             let joints = self.mechanism.joints_of(group);
             self.place_connected(&joints, |_| true);
         }
-        let origin = (0, Point::origin());
-        self.kernel.seats = self
-            .classes
-            .iter()
-            .zip(&self.anchors)
-            .map(|(&(class, turn), anchor)| {
-                let (slot, local) = anchor.unwrap_or(origin);
-                Seat { class, turn, slot, local }
-            })
-            .collect();
+        let seat = |(class, anchor): (&usize, &Option<(usize, Spot)>)| {
+            let (slot, spot) = anchor.unwrap_or((0, Spot::Origin));
+            Seat { class: *class, slot, spot }
+        };
+        self.kernel.seats = self.classes.iter().zip(&self.anchors).map(seat).collect();
+        let Kernel { recipe, lengths, .. } = &mut self.kernel;
+        *lengths = recipe.nothing();
+        recipe.measure(mechanism, lengths, 0);
         self.kernel
     }
 
+    /// A point of a body.
+    fn spot(&self, body: BodyId, point: PointId) -> Spot {
+        let index = self.mechanism.body(body).points.iter().position(|p| *p == point);
+        index.map_or(Spot::Origin, Spot::Point)
+    }
+
+    /// The place of a joint on one of its bodies, as [`Mechanism::joint_on`] has it.
+    fn joint_on(&self, joint: JointId, body: BodyId) -> Spot {
+        match self.mechanism.joint(joint).slider {
+            Some(id) if self.mechanism.slider(id).on == body => Spot::Guide(id),
+            _ => self.spot(body, self.mechanism.joint_point(joint)),
+        }
+    }
+
     fn place_ground(&mut self, body: &Body) {
-        for (point, place) in body.points.iter().zip(&body.local) {
-            self.kernel.fixed.push((point.0, *place));
+        for (index, point) in body.points.iter().enumerate().take(body.local.len()) {
+            self.fix(point.0, Spot::Point(index));
             self.placed[point.0] = true;
         }
-        let first = body.points.first().map(|p| p.0).zip(body.local.first().copied());
-        self.anchors[GROUND.0] = first;
         // A ground without points is represented by a point of its first guide.
-        let mut sliders = self.mechanism.sliders.iter();
-        let guide = sliders.find(|s| s.on == GROUND).map(Slider::line);
-        if let (None, Some((through, _))) = (first, guide) {
+        let mut sliders = self.mechanism.slider_ids();
+        let guide = sliders.find(|slider| self.mechanism.slider(*slider).on == GROUND);
+        if let (None, Some(guide)) = (self.anchors[GROUND.0], guide) {
             let slot = self.new_slot();
-            self.kernel.fixed.push((slot, through));
-            self.anchors[GROUND.0] = Some((slot, through));
+            self.fix(slot, Spot::Guide(guide));
         }
-        if let Some((_, first)) = self.kernel.fixed.first().copied() {
-            self.kernel.origin = first.coords;
-            for (_, place) in &mut self.kernel.fixed {
-                *place -= first.coords;
-            }
-        }
+    }
+
+    /// Gives a slot to a place of the ground.
+    fn fix(&mut self, slot: usize, spot: Spot) {
+        self.kernel.fixed.push(slot);
+        self.kernel.recipe.fixed.push(spot);
+        self.anchors[GROUND.0].get_or_insert((slot, spot));
     }
 
     fn new_slot(&mut self) -> usize {
@@ -140,28 +153,23 @@ impl<'a> Compiler<'a> {
         self.kernel.slots - 1
     }
 
-    /// The vector `local` of a body's frame in the frame of its class.
-    fn in_class(&self, body: BodyId, local: Vector) -> Vector {
-        self.classes[body.0].1 * local
-    }
-
     /// Makes a placed point the body's first one, and places the body's other points relative to it.
-    fn place_body(&mut self, body: BodyId, slot: usize, local: Point) {
-        self.anchors[body.0] = Some((slot, local));
+    fn place_body(&mut self, body: BodyId, slot: usize, spot: Spot) {
+        self.anchors[body.0] = Some((slot, spot));
         let placed_body = self.mechanism.body(body);
-        for (point, place) in placed_body.points.iter().zip(&placed_body.local) {
+        for (index, point) in placed_body.points.iter().enumerate().take(placed_body.local.len()) {
             if !self.placed[point.0] && point.0 != slot {
-                self.place(point.0, slot, body, place - local, None);
+                self.place(point.0, slot, Span { body, from: spot, to: Spot::Point(index) }, None);
             }
         }
     }
 
-    fn place(&mut self, to: usize, from: usize, body: BodyId, local: Vector, slide: Option<(usize, Vector)>) {
-        let reach = self.kernel.placings;
-        self.kernel.placings += 1;
-        let local = self.in_class(body, local);
-        let class = self.classes[body.0].0;
-        self.kernel.actions.push(Action::Place(Placing { to, from, class, local, slide, reach }));
+    fn place(&mut self, to: usize, from: usize, span: Span, way: Option<Way>) {
+        let class = self.classes[span.body.0];
+        let (reach, slide) = (self.kernel.recipe.reaches.len(), way.map(|way| way.slider.0));
+        self.kernel.recipe.reaches.push(span);
+        self.kernel.recipe.guides.push(way);
+        self.kernel.actions.push(Action::Place(Placing { to, from, class, slide, reach }));
         if let Some(placed) = self.placed.get_mut(to) {
             *placed = true;
         }
@@ -179,7 +187,7 @@ impl<'a> Compiler<'a> {
         }) {
             let Joint { pin, slider, .. } = *self.mechanism.joint(joint);
             if let Some(point) = pin {
-                self.place_body(to, point.0, self.mechanism.joint_on(joint, to));
+                self.place_body(to, point.0, self.joint_on(joint, to));
             }
             if let Some(id) = slider {
                 self.place_across(id, from, to);
@@ -190,30 +198,29 @@ impl<'a> Compiler<'a> {
     /// Places body `to`, which a slider connects with the placed body `from`.
     fn place_across(&mut self, id: SliderId, from: BodyId, to: BodyId) {
         let slider = self.mechanism.slider(id);
-        let (through, direction) = slider.line();
-        let direction = self.in_class(slider.on, direction);
-        let at = self.mechanism.local(slider.link, slider.at);
-        let (slot, anchor) = self.anchors[from.0].unwrap_or((0, Point::origin()));
+        let through = Spot::Guide(id);
+        let (slot, anchor) = self.anchors[from.0].unwrap_or((0, Spot::Origin));
         if slider.on == from {
             // A link without points slides: its place gets a slot of its own.
             let has_point = self.mechanism.body(to).points.contains(&slider.at);
             let slot_at = if has_point { slider.at.0 } else { self.new_slot() };
             if !has_point || !self.placed[slot_at] {
-                self.place(slot_at, slot, from, through - anchor, Some((id.0, direction)));
+                let span = Span { body: from, from: anchor, to: through };
+                self.place(slot_at, slot, span, Some(Way { slider: id, is_back: false }));
             }
-            self.place_body(to, slot_at, at);
+            self.place_body(to, slot_at, self.spot(slider.link, slider.at));
         } else {
             let to_body = self.mechanism.body(to);
-            let first = to_body.points.iter().zip(&to_body.local);
-            let (next, local) = match first.clone().find(|(p, _)| !self.placed[p.0]) {
-                Some((point, local)) => (point.0, *local),
+            let mut points = to_body.points.iter().enumerate().take(to_body.local.len());
+            let (next, spot) = match points.find(|(_, point)| !self.placed[point.0]) {
+                Some((index, point)) => (point.0, Spot::Point(index)),
                 None => (self.new_slot(), through),
             };
             // The guide's point is the sliding point less the slide.
-            let behind = Some((id.0, -direction));
+            let behind = Way { slider: id, is_back: true };
             let from_slot = self.slot_of(from, slider.at.0);
-            self.place(next, from_slot, to, local - through, behind);
-            self.place_body(to, next, local);
+            self.place(next, from_slot, Span { body: to, from: through, to: spot }, Some(behind));
+            self.place_body(to, next, spot);
         }
     }
 
@@ -229,7 +236,7 @@ impl<'a> Compiler<'a> {
         let mut unknowns = vec![Unknown::Spin(0); equations.unknowns];
         for &link in &group.links {
             if let Some(unknown) = equations.angular_unknown(link) {
-                unknowns[unknown] = Unknown::Spin(self.classes[link.0].0);
+                unknowns[unknown] = Unknown::Spin(self.classes[link.0]);
             }
         }
         for slider in 0..self.mechanism.sliders.len() {
@@ -254,15 +261,12 @@ impl<'a> Compiler<'a> {
             unknowns,
             reduced: None,
             shape: None,
-            size: 0.0,
+            size: f64::MIN_POSITIVE,
             scales: Vec::new(),
         };
         for chain in &group.loops {
             self.compile_loop(chain, &mut closing);
         }
-        let members = closing.chains.iter().flat_map(|c| &c.members);
-        let components = members.flat_map(|m| [m.local.x.abs(), m.local.y.abs()]);
-        closing.size = components.fold(f64::MIN_POSITIVE, f64::max);
         let scale = |unknown: &Unknown| if let Unknown::Slide(_) = unknown { 1.0 / closing.size } else { 1.0 };
         closing.scales = closing.unknowns.iter().map(scale).collect();
         let reduction = equations.reduction;
@@ -278,11 +282,11 @@ impl<'a> Compiler<'a> {
         }
         let mut tied = Tied { classes: Vec::new(), apart: angle(tie.constant) };
         for &(body, weight) in &tie.terms {
-            let (class, turn) = self.classes[body.0];
+            let class = self.classes[body.0];
             let spin = unknowns.iter().position(|u| *u == Unknown::Spin(class));
             let weight = f64::from(weight);
             tied.classes.push(TiedClass { class, weight, spin });
-            tied.apart -= weight * angle(turn);
+            tied.apart -= weight * angle(self.turns[body.0]);
         }
         Some(tied)
     }
@@ -295,8 +299,13 @@ impl<'a> Compiler<'a> {
         let first = side(chain.joints[0], chain.bodies[0]);
         let (start, from) = self.loop_end(first, chain.joints[0], chain.closed);
         let mut walk = Walk { body: first, here: from };
-        let mut sums =
-            LoopSums { classes: &self.classes, unknowns: &closing.unknowns, members: Vec::new(), rails: Vec::new() };
+        let mut sums = LoopSums {
+            classes: &self.classes,
+            unknowns: &closing.unknowns,
+            members: Vec::new(),
+            rails: Vec::new(),
+            ways: Vec::new(),
+        };
         for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
             let [body, next] = [sides[0], sides[1]].map(|link| side(joint, link));
             self.walk_compound(&mut sums, &mut walk, body);
@@ -304,28 +313,33 @@ impl<'a> Compiler<'a> {
         }
         let ends = if chain.closed {
             self.walk_compound(&mut sums, &mut walk, first);
-            sums.add_vector(first, from - walk.here);
+            sums.add_vector(Span { body: first, from: walk.here, to: from });
             None
         } else {
             let (end, there) = self.loop_end(walk.body, chain.joints[last], false);
-            sums.add_vector(walk.body, there - walk.here);
+            sums.add_vector(Span { body: walk.body, from: walk.here, to: there });
             Some([start, end])
         };
-        let (mut members, mut rails) = (sums.members, sums.rails);
-        // A class whose vector vanishes and that has no slider contributes nothing: a known body with a pin at the
-        // loop's end.
-        let slides = |m: &Member| rails.iter().any(|r| r.class == m.class);
-        members.retain(|m| m.local != Vector::zeros() || slides(m));
-        for member in &mut members {
-            member.column = self.kernel.columns;
-            self.kernel.columns += 1;
+        let LoopSums { members: summed, mut rails, ways, .. } = sums;
+        let recipe = &mut self.kernel.recipe;
+        let mut members = Vec::with_capacity(summed.len());
+        for (mut member, sum) in summed {
+            let vector = total(&sum, self.mechanism, |body| self.turns[body.0]);
+            // A class whose vector vanishes and that has no slider contributes nothing: a known body with a pin at the
+            // loop's end.
+            if vector == Vector::zeros() && !rails.iter().any(|r: &Rail| r.class == member.class) {
+                recipe.vanishing.push(sum);
+                continue;
+            }
+            closing.size = closing.size.max(vector.x.abs()).max(vector.y.abs());
+            member.column = recipe.add_column(Column::Member(sum));
             for rail in rails.iter_mut().filter(|r| r.class == member.class) {
                 rail.arm = member.column;
             }
+            members.push(member);
         }
-        for rail in &mut rails {
-            rail.column = self.kernel.columns;
-            self.kernel.columns += 1;
+        for (rail, way) in rails.iter_mut().zip(ways) {
+            rail.column = recipe.add_column(Column::Guide(way));
         }
         let column = |unknown: &Unknown| match *unknown {
             Unknown::Spin(class) => {
@@ -352,22 +366,20 @@ impl<'a> Compiler<'a> {
     /// Continues the walk over a joint to body `to`: on the present body to the joint, then along the guide, if there
     /// is one, to the joint on body `to`.
     fn walk_joint(&self, sums: &mut LoopSums, walk: &mut Walk, joint: JointId, to: BodyId) {
-        let [leave, arrive] = [walk.body, to].map(|body| self.mechanism.joint_on(joint, body));
-        sums.add_vector(walk.body, leave - walk.here);
-        if let Some(id) = self.mechanism.joint(joint).slider {
-            let slider = self.mechanism.slider(id);
-            let direction = self.in_class(slider.on, slider.line().1);
-            sums.add_slider(walk.body, id.0, if slider.on == walk.body { direction } else { -direction });
+        let [leave, arrive] = [walk.body, to].map(|body| self.joint_on(joint, body));
+        sums.add_vector(Span { body: walk.body, from: walk.here, to: leave });
+        if let Some(slider) = self.mechanism.joint(joint).slider {
+            sums.add_slider(walk.body, Way { slider, is_back: self.mechanism.slider(slider).on != walk.body });
         }
         *walk = Walk { body: to, here: arrive };
     }
 
-    /// Slot and local coordinates of a loop's end on a known body: its pin, or the body's first point at a slider.
-    fn loop_end(&self, body: BodyId, joint: JointId, closed: bool) -> (usize, Point) {
+    /// Slot and place of a loop's end on a known body: its pin, or the body's first point at a slider.
+    fn loop_end(&self, body: BodyId, joint: JointId, closed: bool) -> (usize, Spot) {
         match self.mechanism.joint(joint).pin {
-            Some(point) => (point.0, self.mechanism.joint_on(joint, body)),
-            None if closed => (0, Point::origin()),
-            None => self.anchors[body.0].unwrap_or((0, Point::origin())),
+            Some(point) => (point.0, self.joint_on(joint, body)),
+            None if closed => (0, Spot::Origin),
+            None => self.anchors[body.0].unwrap_or((0, Spot::Origin)),
         }
     }
 }
@@ -377,18 +389,20 @@ fn angle(turn: Turn) -> f64 {
     libm::atan2(turn.im, turn.re)
 }
 
-/// Present place of a walk along a loop: a body, and a point in its frame.
+/// Present place of a walk along a loop.
 struct Walk {
     body: BodyId,
-    here: Point,
+    here: Spot,
 }
 
 /// The vectors and sliders of a loop, summed by class during a walk.
 struct LoopSums<'a> {
-    classes: &'a [(usize, Turn)],
+    classes: &'a [usize],
     unknowns: &'a [Unknown],
-    members: Vec<Member>,
+    members: Vec<(Member, Sum)>,
     rails: Vec<Rail>,
+    /// By rail: its unit vector, positive along the loop.
+    ways: Vec<Way>,
 }
 
 impl LoopSums<'_> {
@@ -396,32 +410,29 @@ impl LoopSums<'_> {
         self.unknowns.iter().position(|u| *u == unknown)
     }
 
-    /// Adds a vector in a body's frame to the member of its class.
-    fn add_vector(&mut self, body: BodyId, local: Vector) {
-        let (class, turn) = self.classes[body.0];
-        let index = self.members.iter().position(|m| m.class == class);
+    /// Adds a vector to the member of its class.
+    fn add_vector(&mut self, span: Span) {
+        let class = self.classes[span.body.0];
+        let index = self.members.iter().position(|(member, _)| member.class == class);
         let index = index.unwrap_or_else(|| {
-            self.members.push(Member {
-                class,
-                local: Vector::zeros(),
-                spin: self.unknown(Unknown::Spin(class)),
-                column: ZERO,
-            });
+            let member = Member { class, spin: self.unknown(Unknown::Spin(class)), column: ZERO };
+            self.members.push((member, Sum::new()));
             self.members.len() - 1
         });
-        self.members[index].local += turn * local;
+        self.members[index].1.push(span);
     }
 
     /// Adds a slider whose guide has the rotation of the body's class.
-    fn add_slider(&mut self, body: BodyId, slider: usize, direction: Vector) {
+    fn add_slider(&mut self, body: BodyId, way: Way) {
+        let (class, slider) = (self.classes[body.0], way.slider.0);
         self.rails.push(Rail {
-            class: self.classes[body.0].0,
+            class,
             slider,
-            direction,
-            spin: self.unknown(Unknown::Spin(self.classes[body.0].0)),
+            spin: self.unknown(Unknown::Spin(class)),
             slide: self.unknown(Unknown::Slide(slider)),
             arm: ZERO,
             column: ZERO,
         });
+        self.ways.push(way);
     }
 }

@@ -12,7 +12,8 @@
 //! into placings, one after another. Numbers stand in rows, one for each quantity, of one position or of many side by
 //! side (`geometry/lanes.rs`); each action runs along the rows in the widest registers that the processor turns out
 //! to have, by the same code as one position does number by number. So the cost of being general is paid once a
-//! block. Registers multiply and add with one rounding, on processors without that step by step, so a table has the
+//! block. What a kernel does hangs on links and joints alone; lengths stand in rows, too, and `lengths.rs` has a recipe by which they
+//! follow from the numbers of any mechanism of the kind, so that of many mechanisms one is compiled. Registers multiply and add with one rounding, on processors without that step by step, so a table has the
 //! same bytes on every machine and in the browser; last digits differ from those of one position. Where positions and
 //! rates are asked for together, the groups of a four-bar and of the paper's mechanism have code of their own
 //! (`shapes.rs`), in which a Newton step and the rates after it stay in registers; all others go through rows, to the
@@ -25,6 +26,7 @@ mod classes;
 mod close;
 mod columns;
 mod compile;
+mod lengths;
 mod motions;
 mod rates;
 mod refine;

@@ -1,5 +1,5 @@
-use super::action::Action;
-use super::close::{Size, assemble, assemble_many, correct, place};
+use super::action::{Action, Closing};
+use super::close::{NEAR_START, Size, assemble, assemble_many, correct, place};
 use super::rates::{point_rates, rates, rates_many};
 use super::shapes::step_with_rates;
 use super::{Block, Correction, Kernel, Single};
@@ -26,7 +26,7 @@ impl Kernel {
     /// corrections are sure.
     #[inline(never)]
     pub fn motions(&self, block: &mut Single, sure: f64) -> Correction {
-        let begun = self.begin_motions(OneByOne, block, sure);
+        let begun = self.begin_motions(OneByOne, block, sure, 1);
         if begun.is_all() {
             return begun.found;
         }
@@ -37,10 +37,16 @@ impl Kernel {
         found
     }
 
-    /// Computes positions and rates of one action after another, up to the first group that has no shape or whose step
-    /// is not sure; for the rest nothing has been changed. [`Self::finish_motions`] does that.
+    /// Computes positions and rates of one action after another, up to the first group that has no shape
+    /// or comes to no sure one in so many steps; [`Self::finish_motions`] does the rest.
     #[inline(always)]
-    pub fn begin_motions<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, sure: f64) -> Begun<'_> {
+    pub fn begin_motions<L: Lanes, R: Row>(
+        &self,
+        lanes: L,
+        block: &mut Block<R>,
+        sure: f64,
+        steps: usize,
+    ) -> Begun<'_> {
         let mut begun = Begun { found: Correction::NONE, rest: &self.actions };
         if !L::HAS_PLUS_PRODUCT || sure == 0.0 {
             return begun;
@@ -51,13 +57,14 @@ impl Kernel {
                     place(lanes, block, placing);
                     point_rates(lanes, block, placing);
                 }
-                Action::Close(closing) => match step_with_rates(lanes, block, closing) {
-                    Some(longest) if longest <= sure => {
-                        correct(lanes, block, closing, Size::Tiny);
-                        begun.found = begun.found.and(Correction { first: longest, last: longest, ..Correction::NONE });
+                Action::Close(closing) => {
+                    let found = close_with_rates(lanes, block, closing, sure, steps);
+                    if !found.closed {
+                        begun.found.first = begun.found.first.max(found.first);
+                        break;
                     }
-                    _ => break,
-                },
+                    begun.found = begun.found.and(found);
+                }
             }
             begun.rest = rest;
         }
@@ -76,4 +83,32 @@ impl Kernel {
         }
         found
     }
+}
+
+/// Closes a group with a shape in at most so many steps, as `close` does where each is at most half as large as the one before; otherwise it
+/// has not closed. A single step that is not sure is not made.
+#[inline(always)]
+fn close_with_rates<L: Lanes, R: Row>(
+    lanes: L,
+    block: &mut Block<R>,
+    closing: &Closing,
+    sure: f64,
+    steps: usize,
+) -> Correction {
+    let mut first = None;
+    let mut most = NEAR_START;
+    for left in (0..steps).rev() {
+        let Some(longest) = step_with_rates(lanes, block, closing) else { break };
+        let first = *first.get_or_insert(longest);
+        if longest <= sure {
+            correct(lanes, block, closing, Size::Tiny);
+            return Correction { first, last: longest, ..Correction::NONE };
+        }
+        if left == 0 || longest > most || longest.is_nan() {
+            break;
+        }
+        correct(lanes, block, closing, Size::of(longest));
+        most = 0.5 * longest;
+    }
+    Correction { first: first.unwrap_or_default(), closed: false, ..Correction::NONE }
 }

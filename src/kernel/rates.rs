@@ -68,7 +68,7 @@ pub(super) fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, plac
         let moved = moved.minus_scaled(reach, omega * omega);
         lanes.store_pair(acceleration, k, moved.plus_turned(reach, alpha));
     }
-    let Some((slider, _)) = placing.slide else {
+    let Some(slider) = placing.slide else {
         return;
     };
     let (turn, way) = (&block.turns[placing.class], &block.lengths.guides[placing.reach]);

@@ -76,7 +76,7 @@ fn reach<R: Row>(block: &Block<R>, placing: &Placing, position: usize) -> Precis
     let turn = direction(block, placing.class, position);
     let reach = turn.turn(of(&block.lengths.reaches));
     match placing.slide {
-        Some((slider, _)) => reach + turn.turn(of(&block.lengths.guides)) * Ball::from(block.slides[slider][position]),
+        Some(slider) => reach + turn.turn(of(&block.lengths.guides)) * Ball::from(block.slides[slider][position]),
         None => reach,
     }
 }

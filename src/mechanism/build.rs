@@ -12,6 +12,7 @@ use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::message::Message;
 use crate::scene::{Along, GivenBy, Link, Scene, Shape};
 use indexmap::{IndexMap, IndexSet};
+use std::cell::LazyCell;
 use std::f64::consts::{PI, TAU};
 
 /// The mechanism that a scene describes.
@@ -52,37 +53,43 @@ pub fn mechanism_with(
     Ok(mechanism)
 }
 
-/// The mechanism of a scene that has other numbers than that of `like`, and is made of the same links and joints: so it has the same groups,
-/// which are what takes longest to find. `None` where numbers decide more than lengths: where a link's angle stands in place of a
-/// drive's, or which of two sides a triangle is on.
-pub(crate) fn mechanism_like(scene: &Scene, like: &Mechanism) -> Option<Mechanism> {
-    if like.placing.is_some() || scene.given_by == GivenBy::Drawing {
+/// Gives a mechanism the numbers of a scene that is made of the same links and joints: so it keeps its groups, which are what takes longest
+/// to find. `None` where numbers decide more than lengths: where a link's angle stands in place of a drive's, or which of two sides
+/// a triangle is on; it then has some of them.
+pub(crate) fn renumber(mechanism: &mut Mechanism, scene: &Scene) -> Option<()> {
+    if mechanism.placing.is_some() || scene.given_by == GivenBy::Drawing {
         return None;
     }
-    if !like.sliders.is_empty() {
-        let mut mechanism = bodies(scene, &[]).ok()?;
-        add_given(scene, &mut mechanism);
-        mechanism.join_driven();
-        add_pins(&mut mechanism);
-        mechanism.groups.clone_from(&like.groups);
-        return mechanism.doubtful_sides.is_empty().then_some(mechanism);
+    if !mechanism.sliders.is_empty() {
+        let mut other = bodies(scene, &[]).ok()?;
+        add_given(scene, &mut other);
+        other.join_driven();
+        add_pins(&mut other);
+        other.groups = std::mem::take(&mut mechanism.groups);
+        *mechanism = other;
+        return mechanism.doubtful_sides.is_empty().then_some(());
     }
     // Pins know points and bodies, and no numbers.
-    let mut mechanism = like.clone();
     let place = |name: &String| scene.coordinates.get(name).map(|&place| Point::from(place));
-    mechanism.given = mechanism.points.iter().map(place).collect();
-    mechanism.bodies[GROUND.0].local = scene.ground.iter().filter_map(place).collect();
-    let driven = places_from_drives(scene);
-    for (id, (name, link)) in scene.links.iter().enumerate() {
-        let (local, side) = shaped(scene, link, &driven);
-        let role = role(scene, &mechanism, name, link).ok()?;
-        let body = &mut mechanism.bodies[id + 1];
-        (body.local, body.role) = (local, role);
-        if side == Side::Doubtful {
+    for (given, name) in mechanism.given.iter_mut().zip(&mechanism.points) {
+        *given = place(name);
+    }
+    let (ground, links) = mechanism.bodies.split_at_mut(GROUND.0 + 1);
+    for (local, place) in ground[GROUND.0].local.iter_mut().zip(scene.ground.iter().filter_map(place)) {
+        *local = place;
+    }
+    let driven = LazyCell::new(|| places_from_drives(scene));
+    for (body, link) in links.iter_mut().zip(scene.links.values()) {
+        let side;
+        (body.local, side) = shaped(scene, link, &driven);
+        if side == Side::Doubtful || link.motion.is_some() {
             return None;
         }
+        if let (Role::Driver { angle, omega, alpha, .. }, Some(drive)) = (&mut body.role, &link.drive) {
+            (*angle, *omega, *alpha) = (drive.angle_deg, drive.omega, drive.alpha);
+        }
     }
-    Some(mechanism)
+    Some(())
 }
 
 /// The Assur groups of the links of unknown motion, in an order in which they can be solved.
@@ -189,8 +196,12 @@ fn add_carriage(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
     }
 }
 
-/// The points of a link given by lengths, in its own frame.
-fn shaped(scene: &Scene, link: &Link, driven: &IndexMap<&str, Point>) -> (Vec<Point>, Side) {
+/// The points of a link given by lengths, in its own frame; what the drives determine is found where it is asked for.
+fn shaped<'s, F: FnOnce() -> IndexMap<&'s str, Point>>(
+    scene: &Scene,
+    link: &Link,
+    driven: &LazyCell<IndexMap<&'s str, Point>, F>,
+) -> (Vec<Point>, Side) {
     let of = |places: &IndexMap<String, [f64; 2]>, point: &str| places.get(point).map(|&place| Point::from(place));
     let place = |point: &str| {
         let given = of(&scene.coordinates, point).or_else(|| driven.get(point).copied());
@@ -219,7 +230,7 @@ fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError>
     };
     let ground_places = scene.ground.iter().filter_map(|name| given(name)).collect();
     mechanism.bodies.push(body("ground", &scene.ground, Role::Ground, ground_places));
-    let driven = places_from_drives(scene);
+    let driven = LazyCell::new(|| places_from_drives(scene));
     for (name, link) in &scene.links {
         let role = role(scene, &mechanism, name, link)?;
         let mut local = Vec::new();

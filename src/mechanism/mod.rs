@@ -25,7 +25,7 @@ pub mod structure;
 pub use build::mechanism;
 #[doc(hidden)] // for tests
 pub use build::mechanism_with;
-pub(crate) use build::{mechanism_like, mirrored_mechanism};
+pub(crate) use build::{mirrored_mechanism, renumber};
 pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};
 pub use joint::{AngularConstraint, DrivenSlide, Guide, Joint, Mark, Slider};
 pub use loops::{AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate};

@@ -51,10 +51,11 @@ impl<'a> Closer<'a> {
         let kernel = Kernel::new(mechanism);
         let kernel = kernel.expect("only a mechanism given by lengths is put together");
         let places = known.places(mechanism, mechanism.body_ids());
-        let origin = kernel.origin;
+        let block = Single::new(&kernel);
+        let origin = block.origin(0);
         Closer {
             mechanism,
-            block: Single::new(&kernel),
+            block,
             known: BoundingBox::of(places.map(|(_, place)| place - origin)),
             surroundings: surroundings(mechanism, origin),
             kernel,
@@ -105,10 +106,10 @@ impl<'a> Closer<'a> {
         }
         let members = self.mechanism.groups[group].bodies.iter().copied();
         let places = assembled.frames.places(self.mechanism, members);
-        let own = BoundingBox::of(places.map(|(_, place)| place - self.kernel.origin));
+        let own = BoundingBox::of(places.map(|(_, place)| place - self.block.origin(0)));
         let slides: f64 = sliders.iter().map(|id| assembled.slides[id.0].abs()).sum();
         // Coordinates far from either origin are rounded by more.
-        let origins = [Point::origin(), Point::from(-self.kernel.origin)];
+        let origins = [Point::origin(), Point::from(-self.block.origin(0))];
         let sum = own.with(origins).size() + lengths + slides;
         UNIT_ROUNDOFF * sum / self.known.joined(own).size()
     }
@@ -189,16 +190,17 @@ impl<'a> Closer<'a> {
                 continue;
             };
             let seat = self.kernel.seat(id);
-            let turn = frame.rotation * seat.turn.inverse();
+            let turn = frame.rotation * self.block.turn_in_class(id, 0).inverse();
             self.block.turns[seat.class] = pair(Vector::new(turn.re, turn.im));
             // The ground, which may have thousands of points, is where it was.
             if members.contains(&id) || id == GROUND {
                 continue;
             }
-            self.block.points[seat.slot] = pair((frame * seat.local).coords - self.kernel.origin);
+            self.block.points[seat.slot] =
+                pair((frame * self.kernel.first_place(self.mechanism, id)).coords - self.block.origin(0));
             let body = self.mechanism.body(id);
             for (point, local) in body.points.iter().zip(&body.local) {
-                self.block.points[point.0] = pair((frame * local).coords - self.kernel.origin);
+                self.block.points[point.0] = pair((frame * local).coords - self.block.origin(0));
             }
         }
         self.kernel.place(&mut self.block, group);
@@ -208,9 +210,9 @@ impl<'a> Closer<'a> {
         let Assembled { mut frames, mut slides, .. } = start;
         for &link in &self.mechanism.groups[group].bodies {
             let seat = self.kernel.seat(link);
-            let turn = self.block.turn(seat.class, 0) * seat.turn;
-            let place = self.block.place(seat.slot, 0) + self.kernel.origin;
-            frames.set(link, pinned(turn, seat.local, place));
+            let turn = self.block.turn(seat.class, 0) * self.block.turn_in_class(link, 0);
+            let place = self.block.place(seat.slot, 0) + self.block.origin(0);
+            frames.set(link, pinned(turn, self.kernel.first_place(self.mechanism, link), place));
         }
         for (slide, [position]) in slides.iter_mut().zip(&self.block.slides) {
             *slide = *position;

@@ -3,7 +3,7 @@ use crate::construction::Rate;
 use crate::mechanism::Mechanism;
 use crate::scene::Component;
 use crate::sheet::{Order, QuantityKind, Sheet};
-use crate::words::Notation;
+use crate::words::{Notation, SlidePart, SlideSymbol};
 
 /// The parts of a symbol: letter, upper and lower index, text behind them.
 struct Symbol {
@@ -114,17 +114,17 @@ impl QuantityRequest {
             ..plain(letter, shown(a) + &b.map_or(String::new(), shown))
         };
         let link = |id| shown(&mechanism.body(id).name);
-        let slider = |letter, lower: &str, id| {
-            let name = mechanism.slider_name(id);
-            let parts: Vec<String> = name.split('/').map(shown).collect();
-            Symbol { after: format!("({})", parts.join("/")), ..plain(letter, lower.to_owned()) }
+        let names = |id| mechanism.slider_shown(id, notation, shown);
+        let slide = |order, part, id| {
+            let SlideSymbol { letter, upper, lower, after } = notation.slide(order, part, &names(id));
+            Symbol { letter, upper, lower, after }
         };
         let symbol = match &self.what {
             What::Rate(Rate::Angular(order, id)) => plain(order.rate(), link(*id)),
-            What::Rate(Rate::Slide(order, id)) => slider(order.vector(), notation.relative, *id),
+            What::Rate(Rate::Slide(order, id)) => slide(*order, SlidePart::Relative, *id),
             What::Angle(id) => plain("φ", link(*id)),
-            What::SlidePosition(id) => slider("s", "", *id),
-            What::Coriolis(id, _) => slider("a", notation.coriolis, *id),
+            What::SlidePosition(id) => Symbol { after: format!("({})", names(*id).pair), ..plain("s", String::new()) },
+            What::Coriolis(id, _) => slide(Order::Acceleration, SlidePart::Coriolis, *id),
             What::Coordinate(0, spot) => plain("x", shown(spot.name())),
             What::Coordinate(_, spot) => plain("y", shown(spot.name())),
             What::Length(a, b) => relative("L", "", a.name(), Some(b.name())),

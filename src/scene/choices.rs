@@ -61,6 +61,56 @@ choice! {
 }
 
 choice! {
+    /// How the motion along a guide is written.
+    #[derive(Default)]
+    #[schemars(rename = "sliding")]
+    SlidingName {
+        /// By the slider: v_r(3/2), a_r(3/2), a_c(3/2).
+        #[default]
+        Slider = "slider",
+        /// By the points of both links in one place: v_B3B2, and a_B3B2 with the parts r and c above.
+        Points = "points",
+    }
+}
+
+choice! {
+    /// The index of the Coriolis part of an acceleration.
+    #[schemars(rename = "coriolis")]
+    CoriolisName {
+        /// a_c
+        Small = "c",
+        /// a_C
+        Capital = "C",
+        /// a_k
+        K = "k",
+        /// a_cor
+        Cor = "cor",
+    }
+}
+
+choice! {
+    /// The sense in which the velocity plan is turned by 90°.
+    #[schemars(rename = "turned")]
+    TurnedName {
+        /// Every velocity by +90°.
+        CounterClockwise = "counter-clockwise",
+        /// Every velocity by −90°.
+        Clockwise = "clockwise",
+    }
+}
+
+choice! {
+    /// The number of the frame, in place of the word for it.
+    #[schemars(rename = "frame")]
+    FrameName {
+        /// The frame is link 0.
+        Zero = "0",
+        /// The frame is link 1.
+        One = "1",
+    }
+}
+
+choice! {
     /// A language of headings and captions.
     #[derive(Default)]
     #[schemars(rename = "language")]

@@ -113,6 +113,12 @@ impl Wrong {
         Wrong { paths, ..self }
     }
 
+    /// The error with its first path, where there is no text in which it could be found.
+    pub fn without_place(self) -> SceneError {
+        let path = self.paths.first().map_or_else(String::new, |path| path.join("."));
+        SceneError { path, place: None, message: self.message, hint: self.hint }
+    }
+
     /// Puts the error at the first of these paths that the text has, as a part may be written in several ways.
     pub fn at_first(self, paths: &[&[&str]]) -> Wrong {
         Wrong { paths: paths.iter().map(|path| owned(path)).collect(), ..self }

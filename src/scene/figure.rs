@@ -8,8 +8,8 @@ use serde_json::{Map, Value as Json, json};
 use std::ops::RangeInclusive;
 
 use super::choices::{
-    ConstructionShown, DecimalMark, LanguageName, NotationName, Page, PageSize, ScalesFor, Sizes, StyleName,
-    ValuesShown,
+    ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, NotationName, Page, PageSize, ScalesFor,
+    Sizes, SlidingName, StyleName, TurnedName, ValuesShown,
 };
 use super::error::{Wrong, list, number, shortened};
 use super::given::GivenBy;
@@ -52,6 +52,16 @@ pub struct Figure {
     /// How poles, images and parts of accelerations are written; left out: "paper". Names of quantities stay the same.
     #[schemars(with = "Option<NotationName>")]
     pub notation: NotationName,
+    /// How motions along guides are written: "slider" as v_r(3/2), "points" as v_B3B2; left out: "slider".
+    #[schemars(with = "Option<SlidingName>")]
+    pub sliding: SlidingName,
+    /// The index of Coriolis accelerations; left out: that of the notation.
+    pub coriolis: Option<CoriolisName>,
+    /// The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word.
+    pub frame: Option<FrameName>,
+    /// The sense in which figures and steps show the velocity plan turned by 90°; sheets to be drawn on, keys and checks have it as
+    /// it is. Left out: not turned.
+    pub turned: Option<TurnedName>,
     /// Language of headings and captions; left out: "en".
     #[schemars(with = "Option<LanguageName>")]
     pub language: LanguageName,
@@ -93,8 +103,8 @@ pub struct Figure {
 }
 
 write_keys!(Figure {
-    panels, mu, scales, focus, page, worksheet, style, notation, language, decimal, labels, special_points,
-    construction, values, step, trace, beyond_limits, ghosts, markers; sizes, usual_values
+    panels, mu, scales, focus, page, worksheet, style, notation, sliding, coriolis, frame, turned, language,
+    decimal, labels, special_points, construction, values, step, trace, beyond_limits, ghosts, markers; sizes, usual_values
 } unless Figure::default());
 
 fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
@@ -131,6 +141,10 @@ impl Default for Figure {
             worksheet: false,
             style: StyleName::default(),
             notation: NotationName::default(),
+            sliding: SlidingName::default(),
+            coriolis: None,
+            frame: None,
+            turned: None,
             language: LanguageName::default(),
             decimal: DecimalMark::default(),
             labels: IndexMap::new(),

@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::choices::Units;
+use super::choices::{FrameName, Units};
 use super::digits::Digits;
 use super::error::{SceneError, Source, Wrong};
 use super::figure::{Figure, check_traced};
@@ -245,12 +245,23 @@ impl Scene {
     pub fn check_traced(&self, trace: &[String], ghosts: Option<usize>) -> Result<(), SceneError> {
         let names = Names::new(&self.ground, &self.links);
         let figure = Figure { trace: trace.to_vec(), ghosts, ..Figure::default() };
-        check_traced(self.given_by, &names, &self.sliders, &figure).map_err(|wrong| SceneError {
-            path: wrong.paths.first().map_or_else(String::new, |path| path.join(".")),
-            place: None,
-            message: wrong.message,
-            hint: wrong.hint,
-        })
+        check_traced(self.given_by, &names, &self.sliders, &figure).map_err(Wrong::without_place)
+    }
+
+    /// Whether the frame can be called by the number that the figure gives it.
+    ///
+    /// # Errors
+    /// A link has that name; the error's path is `frame`, and it has no place in the text.
+    pub fn check_frame(&self) -> Result<(), SceneError> {
+        check_frame(&self.links, &self.figure).map_err(Wrong::without_place)
+    }
+}
+
+/// Refuses to call the frame as a link is called.
+fn check_frame(links: &IndexMap<String, Link>, figure: &Figure) -> Result<(), Wrong> {
+    match figure.frame.map(FrameName::as_str).filter(|frame| links.contains_key(*frame)) {
+        Some(frame) => Err(Wrong::value(&["frame"], says::frame_is_link(frame)).hint(says::other_frame())),
+        None => Ok(()),
     }
 }
 
@@ -305,7 +316,7 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
     let near = near(given_by, &names, file.near)?;
     check_motions(&names)?;
     let figure = file.figure.unwrap_or_default();
-    figure.check().map_err(|wrong| wrong.inside(&["figure"]))?;
+    figure.check().and_then(|()| check_frame(&links, &figure)).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_traced(given_by, &names, &sliders, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_form(file.form.as_ref())?;
     if let Some(hints) = file.hints.filter(|hints| *hints > MOST_HINTS) {

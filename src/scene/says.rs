@@ -7,6 +7,7 @@ messages! { "scene":
     // Kinds of files.
     scene;
     study;
+    drawing;
     style;
     form;
     marks;
@@ -258,6 +259,8 @@ messages! { "scene":
     panel_twice;
     step_from_one;
     steps_listed;
+    frame_is_link(link);
+    other_frame;
     ghosts_between(least, most, count);
     drawn_has_no_path(point);
     drawn_has_no_ghosts;

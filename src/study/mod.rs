@@ -3,8 +3,8 @@
 //! on the study and its own index alone.
 //!
 //! Mechanisms are assembled (`cycle/alike.rs`) and moved (`together`) side by side as long as that is sure; of the others each is followed by
-//! itself (`member`). To make one mechanism of a scene and to assemble it takes longer than to move it through a turn beside others, so of a
-//! block only the first is made as any scene is.
+//! itself (`member`). To make one mechanism of a scene, to compile and to assemble it takes longer than to move it through a turn beside
+//! others, so that is done once, with the study's scene; rows only have other numbers (`mechanism/build.rs`, `kernel/lengths.rs`).
 
 mod file;
 mod member;

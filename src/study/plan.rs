@@ -7,9 +7,9 @@ use super::together::{follow, suits};
 use super::vary::{Named, Values, Varied, numbers};
 use crate::Problem;
 use crate::cores::on_all_cores;
-use crate::cycle::{CycleError, Drive, Steps, Variants, alone as alone_moving};
+use crate::cycle::{Assemblies, CycleError, Drive, Steps, Variants, alone as alone_moving};
 use crate::geometry::MANY;
-use crate::mechanism::{Mechanism, mechanism, mechanism_like};
+use crate::mechanism::{Mechanism, mechanism, renumber};
 use crate::position::rough_places;
 use crate::quantity::{QuantityKind, QuantityRequest};
 use crate::scene::{GivenBy, Scene, close, list};
@@ -34,6 +34,17 @@ pub struct Study {
     seed: u64,
     rows: u64,
     task: Task,
+    /// The scene's mechanism with all of its assemblies, from which those of others can be found; `None` where they are found for each by
+    /// itself.
+    like: Option<(Mechanism, Assemblies)>,
+}
+
+/// What the rows of a study take turns to use.
+struct Bench {
+    /// The study's scene with the numbers of a row.
+    scene: Scene,
+    /// Mechanisms of a block of rows: the next block gives them other numbers.
+    mechanisms: Vec<Mechanism>,
 }
 
 impl StudyFile {
@@ -75,15 +86,18 @@ impl StudyFile {
             }
             wanted.push(Wanted { name: name.clone(), asked, figures: figures.clone() });
         }
-        Ok(Study {
-            scene,
-            varied,
-            shots,
-            seed: self.keys.seed.unwrap_or(USUAL_SEED),
-            rows,
-            task: Task { range, wanted, errors: self.keys.bounds, at_steps: self.keys.at_steps },
-        })
+        let task = Task { range, wanted, errors: self.keys.bounds, at_steps: self.keys.at_steps };
+        let like = if suits(&task) { with_assemblies(&scene) } else { None };
+        Ok(Study { scene, varied, shots, seed: self.keys.seed.unwrap_or(USUAL_SEED), rows, task, like })
     }
+}
+
+/// The mechanism of a scene with all of its assemblies, where they give those of others.
+fn with_assemblies(scene: &Scene) -> Option<(Mechanism, Assemblies)> {
+    let mechanism = mechanism(scene).ok()?;
+    let (poses, rough) = (every_pose(&mechanism, scene)?, rough_places(&mechanism, &scene.near)?);
+    let assemblies = Assemblies::new(&mechanism, poses, rough)?;
+    Some((mechanism, assemblies))
 }
 
 impl Study {
@@ -125,11 +139,12 @@ impl Study {
     pub fn rows(&self, rows: Range<u64>) -> Vec<f64> {
         let (width, many) = (self.columns().len(), MANY as u64);
         let mut numbers = Vec::new();
+        let mut bench = Bench { scene: self.scene.clone(), mechanisms: Vec::new() };
         for first in (rows.start / many * many..rows.end).step_by(MANY) {
             // Last digits depend on the mechanisms that are followed together, so a block is always computed whole.
             let last = self.rows.min(first + many);
             let mut block = Vec::with_capacity(MANY * width);
-            self.block(first..last, &mut block);
+            self.block(first..last, &mut bench, &mut block);
             let [from, to] = [rows.start.max(first), rows.end.min(last)].map(|row| (row - first) as usize * width);
             numbers.extend_from_slice(&block[from..to]);
         }
@@ -145,14 +160,13 @@ impl Study {
     }
 
     /// Appends rows of mechanisms that are followed side by side where that is sure, else each by itself.
-    fn block(&self, rows: Range<u64>, numbers: &mut Vec<f64>) {
-        let mut scene = self.scene.clone();
+    fn block(&self, rows: Range<u64>, bench: &mut Bench, numbers: &mut Vec<f64>) {
         let varied: Vec<Vec<f64>> = rows.clone().map(|row| self.values(row)).collect();
-        let together = self.together(&mut scene, &varied);
+        let together = self.together(bench, &varied);
         for ((row, values), outcome) in rows.zip(varied).zip(together) {
             let outcome = outcome.unwrap_or_else(|| {
-                self.set(&mut scene, &values);
-                self.alone(&scene)
+                self.set(&mut bench.scene, &values);
+                self.alone(&bench.scene)
             });
             numbers.push(row as f64);
             numbers.extend(values);
@@ -198,38 +212,37 @@ impl Study {
     }
 
     /// What becomes of mechanisms that are followed side by side; `None` of those for which that is not sure.
-    fn together(&self, scene: &mut Scene, varied: &[Vec<f64>]) -> Vec<Option<Outcome>> {
+    fn together(&self, bench: &mut Bench, varied: &[Vec<f64>]) -> Vec<Option<Outcome>> {
         if !suits(&self.task) {
             return vec![None; varied.len()];
         }
-        self.assembled_together(scene, varied).unwrap_or_else(|| self.assembled_alone(scene, varied))
+        self.assembled_together(bench, varied).unwrap_or_else(|| self.assembled_alone(&mut bench.scene, varied))
     }
 
     /// As [`Self::together`], with the mechanisms assembled side by side, too, which takes a small part of the time; `None` where that
     /// cannot be.
-    fn assembled_together(&self, scene: &mut Scene, varied: &[Vec<f64>]) -> Option<Vec<Option<Outcome>>> {
+    fn assembled_together(&self, bench: &mut Bench, varied: &[Vec<f64>]) -> Option<Vec<Option<Outcome>>> {
+        let (like, assemblies) = self.like.as_ref()?;
+        let Bench { scene, mechanisms } = bench;
+        mechanisms.resize_with(mechanisms.len().max(varied.len()), || like.clone());
         let mut rows = Vec::new();
-        let mut mechanisms: Vec<Mechanism> = Vec::new();
-        let mut assemblies = None;
         for (row, values) in varied.iter().enumerate() {
             self.set(scene, values);
             if !has_links(scene) {
                 continue;
             }
-            let mechanism = match mechanisms.first() {
-                Some(first) => mechanism_like(scene, first)?,
-                None => {
-                    let first = mechanism(scene).ok()?;
-                    assemblies = Some((every_pose(&first, scene)?, rough_places(&first, &scene.near)?));
-                    mechanism_like(scene, &first)?
-                }
-            };
+            let mechanism = &mut mechanisms[rows.len()];
+            renumber(mechanism, scene)?;
+            if self.task.range.alone {
+                *mechanism = self.moving(std::mem::take(mechanism));
+            }
             rows.push(row);
-            mechanisms.push(self.moving(mechanism));
         }
-        let (poses, rough) = assemblies?;
-        let (variants, is_nearest) = Variants::nearest(&mechanisms, &poses, &rough)?;
         let mut outcomes = vec![None; varied.len()];
+        if rows.is_empty() {
+            return Some(outcomes);
+        }
+        let (variants, is_nearest) = assemblies.nearest(&mechanisms[..rows.len()])?;
         for ((row, outcome), is_nearest) in rows.into_iter().zip(follow(&self.task, variants)).zip(is_nearest) {
             outcomes[row] = outcome.filter(|_| is_nearest);
         }
@@ -251,7 +264,9 @@ impl Study {
                 Err(status) => outcomes[row] = Some(Outcome::without_motion(status, &self.task)),
             }
         }
-        if let Ok(variants) = Variants::new(&mechanisms, &poses) {
+        if !mechanisms.is_empty()
+            && let Ok(variants) = Variants::new(&mechanisms, &poses)
+        {
             for (row, outcome) in rows.into_iter().zip(follow(&self.task, variants)) {
                 outcomes[row] = outcome;
             }

@@ -37,10 +37,11 @@ pub(super) struct Spaced<'a> {
     pub periodic: bool,
 }
 
-/// A place between samples: the sample next to it, and the distance from that in steps.
+/// A place between samples: the sample next to it with its value, and the distance from that in steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Spot {
     pub sample: usize,
+    pub value: f64,
     pub beyond: f64,
 }
 
@@ -73,7 +74,7 @@ impl Spaced<'_> {
         if last > 0 && !self.periodic && self.is_local(last) {
             take(last);
         }
-        best.map(|(sample, [beyond, _])| Spot { sample, beyond })
+        best.map(|(sample, [beyond, _])| Spot { sample, value: self.values[sample], beyond })
     }
 
     /// A sample by its place, which may lie beyond the ends of a period.

@@ -3,7 +3,7 @@
 use super::samples::{Spaced, Spot, mean, unwrap};
 use super::task::{Outcome, Status, Summary, Task, Wanted};
 use crate::cycle::{Kept, Variants};
-use crate::geometry::with_turns;
+use crate::geometry::{MANY, Many, Row, with_turns};
 use crate::quantity::Quantity;
 
 /// Difference of a quantity at the ends of a turn, in parts of its height, that is rounding.
@@ -27,12 +27,14 @@ struct Walk<'a> {
     /// The step next to the scene's position.
     first: usize,
     origin: f64,
+    /// Where all mechanisms were at the scene's position.
+    start: Kept,
     /// By mechanism: whether it surely stayed on its branch.
     sure: Vec<bool>,
     /// By step: where all mechanisms were.
     kept: Vec<Option<Kept>>,
-    /// By quantity: its values, by mechanism and step.
-    samples: Vec<Vec<f64>>,
+    /// By quantity: its values, by [`MANY`] mechanisms and step.
+    samples: Vec<Vec<Many>>,
     /// By quantity and mechanism.
     at_scene: Vec<Vec<f64>>,
 }
@@ -50,15 +52,16 @@ impl<'a> Walk<'a> {
         if !is_inside || !starts_there || !(0..count).all(|i| variants.runs_evenly(i, &range.drive)) {
             return None;
         }
-        let numbers = |count| vec![vec![f64::NAN; count]; task.wanted.len()];
+        let rows = count.div_ceil(MANY) * (last + 1);
         let mut walk = Walk {
             task,
             first: first as usize,
             origin,
-            sure: vec![true; count],
+            start: variants.kept(),
+            sure: (0..count).map(|mechanism| variants.is_closed(mechanism)).collect(),
             kept: vec![None; last + 1],
-            samples: numbers(count * (last + 1)),
-            at_scene: numbers(count),
+            samples: vec![vec![Many::splat(f64::NAN); rows]; task.wanted.len()],
+            at_scene: vec![vec![f64::NAN; count]; task.wanted.len()],
             variants,
         };
         for (wanted, at_scene) in task.wanted.iter().zip(&mut walk.at_scene) {
@@ -70,18 +73,14 @@ impl<'a> Walk<'a> {
     }
 
     fn outcomes(mut self) -> Vec<Option<Outcome>> {
-        let start = self.variants.kept();
-        let steps = self.task.range.steps;
-        for sure in 0..self.sure.len() {
-            self.sure[sure] = self.variants.is_closed(sure);
+        let (first, count) = (self.first, self.kept.len());
+        self.go_to(first, [None; 2]);
+        for step in first + 1..count {
+            self.go_to(step, [Some(step - 1), step.checked_sub(2).filter(|before| *before >= first)]);
         }
-        self.go(&start, (self.first..steps.count()).collect());
-        for mechanism in 0..self.sure.len() {
-            if self.sure[mechanism] {
-                self.variants.put_back(mechanism, &start);
-            }
+        for step in (0..first).rev() {
+            self.go_to(step, [Some(step + 1), Some(step + 2).filter(|before| *before < count)]);
         }
-        self.go(&start, (0..self.first).rev().collect());
         let mut outcomes = self.summed();
         for sign in [1.0, -1.0] {
             for quantity in 0..self.task.wanted.len() {
@@ -95,95 +94,89 @@ impl<'a> Walk<'a> {
         outcomes
     }
 
-    /// Moves all mechanisms from the start through these steps and reads their quantities.
-    fn go(&mut self, start: &Kept, steps: Vec<usize>) {
-        let mut last = None;
-        let mut was = self.origin;
-        for step in steps {
-            let value = self.task.range.steps.value(step);
-            for mechanism in (0..self.sure.len()).filter(|i| self.sure[*i]) {
-                self.variants.set_along(mechanism, &self.task.range.drive, value);
-            }
-            self.variants.compute();
-            let times: Vec<f64> =
-                (0..self.sure.len()).map(|m| self.variants.time(m, &self.task.range.drive, value - was)).collect();
-            let before = last.and_then(|last: usize| self.kept[last].as_ref()).unwrap_or(start);
-            let kept_branch = self.variants.kept_branch(before, &times);
-            for (mechanism, kept_branch) in kept_branch.into_iter().enumerate() {
-                if !self.sure[mechanism] {
-                    continue;
-                }
-                let is_closed = self.variants.is_closed(mechanism);
-                if !is_closed {
-                    // It stays where it is.
-                    self.variants.set_along(mechanism, &self.task.range.drive, was);
-                }
-                self.sure[mechanism] = is_closed && kept_branch;
-            }
-            let steps = self.kept.len();
-            for (wanted, samples) in self.task.wanted.iter().zip(&mut self.samples) {
-                // Most studies ask for rates, which stand in a row.
-                if let Some(rate) = wanted.asked.as_rate() {
-                    let values = self.variants.rates(rate).flatten();
-                    samples
-                        .iter_mut()
-                        .skip(step)
-                        .step_by(steps)
-                        .zip(values)
-                        .for_each(|(sample, value)| *sample = *value);
-                    continue;
-                }
-                for mechanism in (0..self.sure.len()).filter(|m| self.sure[*m]) {
-                    samples[mechanism * steps + step] = read(wanted, &self.variants, mechanism);
-                }
-            }
-            self.kept[step] = Some(self.variants.kept());
-            last = Some(step);
-            was = value;
+    /// Moves all mechanisms to a step from the one beside it, else from the scene's position, and reads their quantities; the step before
+    /// that helps to find them.
+    fn go_to(&mut self, step: usize, [last, before]: [Option<usize>; 2]) {
+        let Walk { variants, kept, sure, samples, .. } = self;
+        let (range, steps) = (&self.task.range, kept.len());
+        let value = range.steps.value(step);
+        let was = last.map_or(self.origin, |last| range.steps.value(last));
+        let times = variants.times(&range.drive, value - was, sure);
+        let at = |step: Option<usize>| step.and_then(|step| kept[step].as_ref());
+        let last = at(last).unwrap_or(&self.start);
+        variants.run_on(at(before), last, &times);
+        for mechanism in (0..sure.len()).filter(|m| sure[*m]) {
+            variants.set_along(mechanism, &range.drive, value);
         }
+        variants.compute();
+        for (mechanism, kept_branch) in variants.kept_branch(last, &times).into_iter().enumerate() {
+            let is_closed = variants.is_closed(mechanism);
+            if sure[mechanism] && !is_closed {
+                // It stays where it was.
+                variants.put_back(mechanism, last);
+                variants.set_along(mechanism, &range.drive, was);
+            }
+            sure[mechanism] &= is_closed && kept_branch;
+        }
+        for (wanted, samples) in self.task.wanted.iter().zip(samples) {
+            // Most studies ask for rates, which stand in a row.
+            if let Some(rate) = wanted.asked.as_rate() {
+                let samples = samples.iter_mut().skip(step).step_by(steps);
+                samples.zip(variants.rates(rate)).for_each(|(row, values)| *row = *values);
+                continue;
+            }
+            for mechanism in (0..sure.len()).filter(|m| sure[*m]) {
+                samples[mechanism / MANY * steps + step][mechanism % MANY] = read(wanted, variants, mechanism);
+            }
+        }
+        kept[step] = Some(variants.kept());
     }
 
     /// What the samples tell.
     fn summed(&mut self) -> Vec<Option<Outcome>> {
-        let (range, steps) = (&self.task.range, self.kept.len());
+        for quantity in (0..self.task.wanted.len()).filter(|quantity| self.task.wanted[*quantity].turns()) {
+            for mechanism in 0..self.sure.len() {
+                let mut samples = self.samples(mechanism, quantity);
+                unwrap(&mut samples);
+                let rows = self.samples[quantity][mechanism / MANY * samples.len()..].iter_mut();
+                rows.zip(samples).for_each(|(row, sample)| row[mechanism % MANY] = sample);
+            }
+        }
         let whole = Outcome {
             status: Status::Whole,
-            reach: Some(range.ends()),
+            reach: Some(self.task.range.ends()),
             summaries: vec![Summary::default(); self.task.wanted.len()],
         };
         let mut outcomes: Vec<Option<Outcome>> = self.sure.iter().map(|sure| sure.then(|| whole.clone())).collect();
-        for (quantity, wanted) in self.task.wanted.iter().enumerate() {
-            let samples = self.samples[quantity].chunks_exact_mut(steps);
-            for ((outcome, samples), at_scene) in outcomes.iter_mut().zip(samples).zip(&self.at_scene[quantity]) {
-                let Some(outcome) = outcome else { continue };
-                if wanted.turns() {
-                    unwrap(samples);
-                }
-                let summary = &mut outcome.summaries[quantity];
-                summary.at_scene = Some(*at_scene).filter(|y| y.is_finite());
-                summary.mean = if wanted.has_mean() { mean(samples) } else { None };
+        for (mechanism, outcome) in outcomes.iter_mut().enumerate() {
+            let Some(outcome) = outcome else { continue };
+            for (quantity, (wanted, summary)) in self.task.wanted.iter().zip(&mut outcome.summaries).enumerate() {
+                summary.at_scene = Some(self.at_scene[quantity][mechanism]).filter(|y| y.is_finite());
+                summary.mean = if wanted.has_mean() { mean(&self.samples(mechanism, quantity)) } else { None };
             }
         }
         outcomes
     }
 
     /// The values of a quantity of a mechanism, by step.
-    fn samples(&self, mechanism: usize, quantity: usize) -> &[f64] {
+    fn samples(&self, mechanism: usize, quantity: usize) -> Vec<f64> {
         let steps = self.kept.len();
-        &self.samples[quantity][mechanism * steps..][..steps]
+        let rows = &self.samples[quantity][mechanism / MANY * steps..][..steps];
+        rows.iter().map(|row| row[mechanism % MANY]).collect()
     }
 
     /// Takes the greatest of the samples of a quantity (`sign` 1), or the least ones; none of those with a sample without a value.
     fn pick(&self, quantity: usize, sign: f64, outcomes: &mut [Option<Outcome>]) {
-        for (mechanism, outcome) in outcomes.iter_mut().enumerate() {
-            let Some(outcome) = outcome else { continue };
-            let samples = self.samples(mechanism, quantity);
-            let better = |best: f64, y: &f64| if sign * y > sign * best { *y } else { best };
-            let value = samples.iter().fold(f64::NEG_INFINITY * sign, better);
-            let at = samples.iter().position(|y| *y == value).map(|step| self.task.range.steps.value(step));
-            let found = at.filter(|_| samples.iter().all(|y| y.is_finite())).map(|at| [at, value]);
-            let summary = &mut outcome.summaries[quantity];
-            if sign > 0.0 { summary.max = found } else { summary.min = found }
+        let rows = self.samples[quantity].chunks_exact(self.kept.len());
+        for (rows, outcomes) in rows.zip(outcomes.chunks_mut(MANY)) {
+            let [places, values] = greatest(rows, sign);
+            for (lane, outcome) in outcomes.iter_mut().enumerate() {
+                let Some(outcome) = outcome else { continue };
+                let at = self.task.range.steps.value(places[lane] as usize);
+                let found = Some([at, sign * values[lane]]).filter(|[_, value]| value.is_finite());
+                let summary = &mut outcome.summaries[quantity];
+                if sign > 0.0 { summary.max = found } else { summary.min = found }
+            }
         }
     }
 
@@ -206,7 +199,7 @@ impl<'a> Walk<'a> {
             let (Some(spot), Some(outcome)) = (spot, &mut outcomes[mechanism]) else {
                 continue;
             };
-            let sample = self.samples(mechanism, quantity)[spot.sample];
+            let sample = spot.value;
             let moved = read(wanted, &self.variants, mechanism);
             let moved = if wanted.turns() { with_turns(moved, sample) } else { moved };
             let found = match sign * (moved - sample) > 0.0 {
@@ -222,7 +215,7 @@ impl<'a> Walk<'a> {
         if !self.sure[mechanism] {
             return None;
         }
-        let values = self.samples(mechanism, quantity);
+        let values = &self.samples(mechanism, quantity)[..];
         let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], y| [l.min(*y), h.max(*y)]);
         let closes = (values[0] - values[values.len() - 1]).abs() <= SAME * (high - low);
         let periodic = self.task.range.is_turn && closes && !wanted.turns();
@@ -246,4 +239,22 @@ fn within(value: f64, [low, high]: [f64; 2]) -> f64 {
     } else {
         value
     }
+}
+
+/// Of each lane of some rows the place of the greatest value (`sign` 1) or the least one, the first of equal ones, and that value times the sign;
+/// infinite where a value is not finite.
+fn greatest(rows: &[Many], sign: f64) -> [Many; 2] {
+    let [mut places, mut values, mut wrong] = [0.0, f64::NEG_INFINITY, 0.0].map(Many::splat);
+    for (place, row) in rows.iter().enumerate() {
+        // Chosen and counted in numbers, so that the compiler uses registers of many.
+        for lane in 0..MANY {
+            let value = sign * row[lane];
+            let is_greater = value > values[lane];
+            places[lane] = if is_greater { place as f64 } else { places[lane] };
+            values[lane] = if is_greater { value } else { values[lane] };
+            wrong[lane] += if value.is_finite() { 0.0 } else { f64::INFINITY };
+        }
+    }
+    (0..MANY).for_each(|lane| values[lane] += wrong[lane]);
+    [places, values]
 }

@@ -38,12 +38,16 @@ special_point_at_infinity = {$point}, special point of link {$link}, lies at inf
 measure_length = Measure the length from {$from} to {$to}.
 # Of a point of a driven link.
 lay_off_velocity = Lay off the velocity of {$point}, normal to {$arm}, in the sense of ω_{$link}.
+lay_off_velocity_turned = Lay off the velocity of {$point}, turned, along {$arm}: in the direction from {$from} to {$to}.
 lay_off_normal_acceleration = Lay off the acceleration of {$point}, from {$point} towards {$pivot}: link {$link} turns uniformly.
 lay_off_whole_acceleration = Lay off the acceleration of {$point}: normal part from {$point} towards {$pivot}, tangential part normal to {$arm}.
 lay_off_given = Lay off the given vector {$vector} from the pole.
+lay_off_given_turned = Lay off the given vector {$vector}, turned, from the pole.
 lay_off_point_under = Lay off the known vector of the point of {$body} under {$point}.
 ray_normal = Draw the ray through {$through} normal to {$line}; {$image} lies on it.
+ray_normal_to_guide = Draw the ray through {$through} normal to the {$line}; {$image} lies on it.
 ray_parallel = Draw the ray through {$through} parallel to the {$line}; {$image} lies on it.
+ray_parallel_to_line = Draw the ray through {$through} parallel to {$line}; {$image} lies on it.
 ray_at_angle = Draw the ray through {$through} at the angle {$angle} of the link, in the same sense; {$image} lies on it.
 divide = Divide the line from {$from} to {$to} in the ratio {$part} : {$whole}: there is {$image}.
 coincide = Link {$link} does not turn: {$image} is at {$with}.
@@ -55,11 +59,14 @@ solve = Solve the equations of the measured segments for {$unknowns}.
 no_construction = There is no construction by two rays for this group: its rates come from the loop equations, and its images are laid off from them, link by link.
 no_construction_far = {$points} at infinity: its rays are parallel, so the rates come from the loop equations, and the images are laid off from them, link by link.
 lay_off_relative = From ω_{$link}: lay off the velocity of {$point} relative to {$from}, normal to {$arm}.
+lay_off_relative_turned = From ω_{$link}: lay off the velocity of {$point} relative to {$from}, turned, along {$arm}.
 lay_off_relative_normal = Lay off the normal acceleration of {$point} relative to {$from}, along {$arm} towards {$from}.
 lay_off_relative_tangential = From α_{$link}: lay off the tangential acceleration of {$point} relative to {$from}, normal to {$arm}.
 lay_off_sliding_velocity = Lay off the sliding velocity of {$slider} along its guide, from {$from} to {$to}.
+lay_off_sliding_velocity_turned = Lay off the sliding velocity of {$slider}, turned, normal to its guide, from {$from} to {$to}.
 # Backwards, with its head at a point that is there: the chain runs from the sliding link to the guide.
 lay_off_sliding_velocity_backwards = Lay off the sliding velocity of {$slider} along its guide so that it ends at {$to}: it begins at {$from}.
+lay_off_sliding_velocity_turned_backwards = Lay off the sliding velocity of {$slider}, turned, normal to its guide so that it ends at {$to}: it begins at {$from}.
 lay_off_sliding_acceleration = Lay off the sliding acceleration of {$slider} along its guide, from {$from} to {$to}.
 lay_off_sliding_acceleration_backwards = Lay off the sliding acceleration of {$slider} along its guide so that it ends at {$to}: it begins at {$from}.
 lay_off_coriolis = Lay off the Coriolis acceleration of {$slider}, its sliding velocity turned by 90° in the sense of ω_{$link}, from {$from} to {$to}.
@@ -96,6 +103,8 @@ angle_of_crossing = angle of crossing {$degrees}°
 title = Velocity and acceleration plans
 scheme = Scheme
 velocity_plan = Velocity plan
+# Its velocities are drawn turned by 90°, one way or the other.
+turned_plan = {$plan}, turned by {$angle}°
 acceleration_plan = Acceleration plan
 # A special point that lies off the sheet.
 far_away = {$point}: {$distance} from {$from}
@@ -501,6 +510,7 @@ unknown_first-should = Look at it first: values that come later may follow from 
 
 scene-scene = scene
 scene-study = study
+scene-drawing = drawing
 scene-style = style
 scene-form = form of measured values
 scene-marks = marking scheme
@@ -760,6 +770,8 @@ scene-name_panels = name some of {$all}, or leave `panels` out
 scene-panel_twice = this panel stands twice
 scene-step_from_one = steps of the construction are numbered from 1
 scene-steps_listed = `kinegon steps` lists them; leave `step` out for the finished figure
+scene-frame_is_link = link {$link} has this name
+scene-other_frame = give the frame the other number, or a text of your own in `labels`: {"{"} "ground": "…" {"}"}
 scene-ghosts_between = the number of ghosts is from {$least} to {$most}, not {$count}
 scene-drawn_has_no_path = a drawn configuration cannot be moved, so point {$point} has no path
 scene-drawn_has_no_ghosts = a drawn configuration cannot be moved, so there are no other positions to draw
@@ -1197,6 +1209,71 @@ photo-scaled_down = all points that are found are {$percent} % too near to the p
 photo-measure_ruler = lay a ruler on the one that is printed on the sheet: is its 50 mm not 50 mm long, the sheet was printed to fit the page
 
 
+## Errors and warnings: board
+
+board-too_many = a drawing has at most {$most} entries, and here are {$count}
+board-no_formula = `{$text}` is no formula: it is not understood from letter {$place} on
+board-no_equation = `{$text}` is no equation: it has no =
+board-not_linear = `{$text}` is not linear in the numbers that are sought
+board-no_value = `{$text}` has no value
+board-no_solution = the equations have no solution, or many
+board-taken = `{$name}` cannot be the name: it is taken, or no name
+board-no_point = there is no point {$name} yet
+board-no_line = there is no line {$name}
+board-no_number = {$name} is not known yet
+board-no_direction = {$name} has no direction
+board-no_reference = `{$name}` gives no direction: it is no line, link or guide; two points are written as "B,C"
+board-which_points = link {$link} has more than two points, or fewer: say between which, as "B,C"
+board-which_sheet = say on which sheet, as "on": "velocity"
+board-two_sheets = lines {$one} and {$two} are on two sheets
+board-no_crossing = lines {$one} and {$two} are parallel
+board-line_misses = {$point} does not lie on this line
+board-lines_of_others = {$point} is not where these lines cross
+board-point_elsewhere = {$point} is not there
+board-number_wrong = this is not {$name}
+board-equation_wrong = equation {$number} does not hold
+board-leads_wrong = with this, {$name} comes out wrong
+board-drawn_off = this line is drawn {$mm} mm and {$degrees}° off what was meant
+board-point_off = this point is marked {$mm} mm off what was meant
+board-misread = {$name} was read {$mm} mm off what was drawn
+board-join = line {$name} through {$one} and {$two}
+board-line = line {$name} through {$point}, {$direction}
+board-line_by_eye = line {$name} by eye
+board-cross = {$name} where {$one} and {$two} cross
+board-lay_off = {$name}: {$size} laid off from {$point}, {$direction}
+board-like = {$name} on {$ends} as in the triangle {$points}
+board-mark = {$name} marked by eye
+board-measure = {$name} measured from {$one} to {$two}
+board-compute = {$name} = {$formula}
+board-typed = {$name} = {$number}, typed
+board-solve = {$names} from equations
+board-undo = {$count ->
+    [one] the last entry taken back
+   *[other] the last {$count} entries taken back
+}
+board-parallel = parallel to {$to}
+board-normal = normal to {$to}
+board-turned = at {$base} by the angle from {$from} to {$to}
+board-angle = at {$degrees}°
+board-link = link {$name}
+board-guide = guide {$name}
+board-drawn_line = line {$name}
+board-ccw = counter-clockwise
+board-cw = clockwise
+board-right = right
+board-wrong = wrong
+board-follows = follows from it
+board-unused = unused
+board-undone = taken back
+board-all_right = Every operation is right.
+board-first_wrong = The first wrong operation is number {$number}.
+board-should = It should be: {$what}
+board-no_sheet = the scene has no such plan
+board-all_there = Everything is there.
+board-next_line = Next comes a line on the {$sheet}.
+board-next_point = Next comes {$name} on the {$sheet}.
+board-next_number = Next comes {$name}.
+
 ## The workbench: layout
 
 page-layout-described = The picture in words
@@ -1351,7 +1428,7 @@ page-layout-start_failed = Kinegon could not start: {$why}. A browser from 2023 
 
 ## The workbench: build
 
-page-build-board = Board with {$count} points
+page-build-stage = Build: {$count} points
 page-build-tools = What to do
 page-build-tool_select = Select
 page-build-tool_link = Link
@@ -1563,6 +1640,14 @@ page-figure-n_paper = Paper
 page-figure-english = English
 page-figure-russian = Russian
 page-figure-german = German
+page-figure-sliding = Along guides
+page-figure-coriolis = Coriolis index
+page-figure-as_notation = as the notation has it
+page-figure-frame = Frame
+page-figure-word = by a word
+page-figure-turned = Velocities
+page-figure-not_turned = as they are
+page-figure-turned_by = turned by {$angle}°
 page-figure-language = Language
 page-figure-decimal = Decimals
 page-figure-point = 2.5
@@ -1650,6 +1735,15 @@ page-exercise-open = Open in the workbench
 page-exercise-opened = The exercise {$name} is open; undo brings the scene before back.
 page-exercise-sheet_of = Sheet of the exercise {$name}
 page-exercise-key_of = Key of the exercise {$name}
+page-exercise-board_paper = Plans are drawn on paper
+page-exercise-board_practice = On the drawing board: practice
+page-exercise-board_at_once = On the drawing board: a wrong line is told at once
+page-exercise-board_exam = On the drawing board: exam, nothing is told
+page-exercise-board_demonstration = On the drawing board: look on while it is drawn
+page-exercise-board_snap = What the hand is helped with
+page-exercise-board_snap_all = Points and lines snap
+page-exercise-board_snap_points = Points alone snap
+page-exercise-board_snap_none = Free hand
 
 
 ## The workbench: values
@@ -1911,6 +2005,134 @@ page-photo-other_sheet_hint = Open that exercise here, or photograph the sheet o
 page-photo-nameless = another scene
 page-photo-no_plan = This sheet has the scheme and no plan.
 page-photo-no_plan_hint = Photograph the drawing sheet, on which you have drawn the plan.
+
+
+## The workbench: the drawing board
+
+page-board-title = Drawing board
+page-board-begin = Draw here
+page-board-go_on = Go on drawing
+page-board-intro = Draw the plans on the screen with set square, dividers and pencil. The first wrong line is named.
+page-board-close = Back
+page-board-undo = Undo (Ctrl+Z)
+page-board-redo = Redo (Ctrl+Y)
+page-board-undone = Undone.
+page-board-redone = Redone.
+page-board-fit = Show all of the sheet
+page-board-more = More
+page-board-tools = Tools
+page-board-sheets = Sheets
+page-board-all_sheets = All
+page-board-sheet = Drawing board: {$name}. Letters choose tools, N goes to the next possible place, Enter presses.
+page-board-list = Operations
+page-board-list_none = Nothing is drawn yet.
+page-board-back_to_here = Take back from here on
+page-board-nothing_here = Nothing here for this tool.
+page-board-write = Draw
+page-board-own = own
+page-board-hint = Hint
+page-board-check = Check
+page-board-hand_in = Hand in
+page-board-into_form = Into the form
+page-board-handed_in = The values are in the form.
+page-board-save = Save the drawing
+page-board-open = Open a drawing…
+page-board-sheets_pdf = Sheets of paper (PDF)
+page-board-no_drawing = “{$name}” is no drawing: it has no `kinegon_drawing`.
+page-board-opened = “{$name}” is on the board.
+page-board-put_back = Put the one before back
+page-board-replay = Replay
+page-board-end_replay = Back to drawing
+page-board-play = Play
+page-board-pause = Pause
+page-board-speed = Speed
+page-board-own_construction = Show the construction
+page-board-own_drawing = Back to the own drawing
+page-board-first_wrong = First wrong: operation {$number}.
+page-board-all_right = All is there, and all is right.
+page-board-right_so_far = Right so far.
+page-board-is_right = right
+page-board-is_wrong = wrong
+page-board-is_follows = follows from a wrong one
+page-board-is_unused = not used
+page-board-is_undone = taken back
+page-board-normal = at right angles to
+page-board-parallel = parallel to
+page-board-angle = at the angle
+page-board-sense_none = as it comes
+page-board-ccw = counter-clockwise
+page-board-cw = clockwise
+page-board-rubbed = {$name} is rubbed out, with what hung on it.
+page-board-tool_lay_off = Dividers: lay off a vector
+page-board-tool_line = Set square: line of known direction
+page-board-tool_join = Ruler: line through two points
+page-board-tool_cross = Pencil: point where two lines cross
+page-board-tool_like = Image: similar triangle
+page-board-tool_measure = Measure a distance
+page-board-tool_compute = Calculator
+page-board-tool_solve = Solve equations
+page-board-tool_mark = Pencil: point by eye
+page-board-tool_rub = Rubber: a thing and what hangs on it
+page-board-short_lay_off = Dividers
+page-board-short_line = Square
+page-board-short_join = Ruler
+page-board-short_cross = Pencil
+page-board-short_like = Image
+page-board-short_measure = Measure
+page-board-short_compute = Reckon
+page-board-short_solve = Solve
+page-board-short_mark = Point
+page-board-short_rub = Rubber
+page-board-form_lay_off = In the {$on} lay off {$size} from {$from} {$how} {$reference} to {$name}
+page-board-form_line = In the {$on} line {$how} {$reference} through {$through} named {$name}
+page-board-form_join = In the {$on} line through {$first} and {$second} named {$name}
+page-board-form_cross = {$first} and {$second} cross at {$name}
+page-board-form_like = In the {$on} as {$three} lies to {$one} and {$two} so to {$first} and {$second} lies {$name}
+page-board-form_measure = In the {$on} measure from {$from} to {$to} as {$name}
+page-board-form_compute = {$name} = {$as} {$sense}
+page-board-form_solve = For {$solve} solve {$equations}
+page-board-form_mark = In the {$on} point {$name}
+page-board-form_rub = Rub out {$name}
+page-board-how_lay_off = The size; then press the point where it begins, and the link or line with its direction.
+page-board-how_line = Press a link or a line: the square lies on it. Then press the point through which the line goes. T turns it.
+page-board-how_join = Press two points.
+page-board-how_cross = Press where two lines cross, and choose the point’s name.
+page-board-how_like = Press three points of a link on the scheme, then the images of the first two.
+page-board-how_measure = Press two points.
+page-board-how_compute = Choose what it is, and write how it is reckoned.
+page-board-how_solve = Name the unknowns, and write one equation a line.
+page-board-how_mark = Press where the point is, and choose its name.
+page-board-how_rub = Press the line or the point.
+page-board-slot_sheet = Sheet
+page-board-slot_point = Point
+page-board-slot_scheme = Point of the scheme
+page-board-slot_line = Line
+page-board-slot_direction = Link, guide or line that gives the direction
+page-board-slot_how = How it lies
+page-board-slot_angle = Angle from +x in degrees
+page-board-slot_formula = Formula
+page-board-slot_formulas = Equations, one a line
+page-board-slot_point_name = Name of the point
+page-board-slot_line_name = Name of the line
+page-board-slot_number_name = Name of the number
+page-board-slot_names = Unknowns
+page-board-slot_sense = Sense
+page-board-slot_made = What was drawn
+page-board-wants_sheet = Which sheet?
+page-board-wants_point = A point is missing: press one, or choose it.
+page-board-wants_scheme = A point of the scheme is missing.
+page-board-wants_line = A line is missing: press the crossing, or choose two.
+page-board-wants_direction = The direction is missing: press a link or a line.
+page-board-wants_how = How does it lie?
+page-board-wants_angle = The angle is missing.
+page-board-wants_formula = A number or a formula is missing.
+page-board-wants_formulas = The equations are missing.
+page-board-wants_point_name = Which point is it? Choose its name.
+page-board-wants_line_name = The line needs a name.
+page-board-wants_number_name = Which number is it? Choose its name.
+page-board-wants_names = Which are the unknowns?
+page-board-wants_sense = Which sense?
+page-board-wants_made = Press what is to go.
 
 
 ## The workbench: sheets

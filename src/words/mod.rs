@@ -6,20 +6,21 @@
 //! `sentences.rs` declares every sentence once, with its named blanks, and gives it a method: the
 //! compiler checks that every blank is filled. What they say, and what errors, warnings and the workbench say, stands in a file for each
 //! language, as `de.ftl`; tests name what a file lacks. Sentences of mistakes are declared where the mistakes are, in
-//! `check/mistakes/`. A sentence is read when it is first said (`fluent.rs`).
+//! `check/mistakes/`. A sentence is read when it is first said (`fluent.rs`). Symbols stand in `notation.rs`.
 
+mod notation;
 mod number;
 #[doc(hidden)] // for tests
 pub mod sentences;
 
+pub use notation::{Notation, SlidePart, SlideSymbol, SliderNames, under, with_prime};
 pub(crate) use number::certain_angle;
 pub use number::{Medium, NumberStyle, power_of_ten};
 pub(crate) use sentences::sheet_told;
 
 use crate::fluent::{Catalogue, Sentence, english, library_part};
 use crate::message::{Declared, Message};
-use crate::scene::{DecimalMark, Figure, LanguageName};
-use crate::sheet::Order;
+use crate::scene::{DecimalMark, Figure, FrameName, LanguageName};
 use sentences::DECLARED;
 use std::sync::OnceLock;
 
@@ -116,7 +117,7 @@ pub struct Wording {
     /// The sentences.
     pub language: &'static Language,
     /// The symbols that schools write differently.
-    pub notation: &'static Notation,
+    pub notation: Notation,
     /// The decimal mark of numbers.
     pub decimal: DecimalMark,
 }
@@ -132,11 +133,13 @@ impl Wording {
     /// The wording that a figure asks for.
     #[must_use]
     pub fn of(figure: &Figure) -> Wording {
-        Wording {
-            language: Language::of(figure.language),
-            notation: Notation::ALL[figure.notation as usize],
-            decimal: figure.decimal,
-        }
+        Wording { language: Language::of(figure.language), notation: Notation::of(figure), decimal: figure.decimal }
+    }
+
+    /// The frame, in symbols and sentences: its number, or else the word for it.
+    #[must_use]
+    pub fn ground(&self) -> &'static str {
+        self.notation.frame.map_or(self.language.ground(), FrameName::as_str)
     }
 
     /// A number in this style, with the wording's decimal mark.
@@ -165,55 +168,4 @@ impl Wording {
     pub fn number(&self, written: String) -> String {
         number::marked(written, self.decimal)
     }
-}
-
-/// How a school writes poles, images of points and parts of accelerations; in markup, where `_{…}` is an index.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Notation {
-    /// The poles that are not written as in results.
-    poles: &'static [(Order, &'static str)],
-    /// Whether images of points bear a prime in the acceleration plan: `b′` beside `b` of the velocity plan.
-    pub primes: bool,
-    /// Index of the normal part of an acceleration.
-    pub normal: &'static str,
-    /// Index of the tangential part of an acceleration.
-    pub tangential: &'static str,
-    /// Index of the Coriolis part of an acceleration.
-    pub coriolis: &'static str,
-    /// Index of the part along a guide.
-    pub relative: &'static str,
-}
-
-impl Notation {
-    /// The notations in the order of [`NotationName::ALL`](crate::scene::NotationName::ALL).
-    pub const ALL: [&'static Notation; 4] = [&PAPER, &ENGLISH, &RUSSIAN, &GERMAN];
-
-    /// The symbol of a plan's pole, in markup.
-    #[must_use]
-    pub fn pole(&self, plan: Order) -> &'static str {
-        self.poles.iter().find(|(order, _)| *order == plan).map_or(plan.pole(), |(_, pole)| pole)
-    }
-}
-
-/// H. Quintero, G. Calle, A. Díaz, E. Henao, Rev. Fac. Ing. Univ. Antioquia 60 (2011) 81–91.
-const PAPER: Notation =
-    Notation { poles: &[], primes: false, normal: "n", tangential: "t", coriolis: "c", relative: "r" };
-
-/// C. E. Wilson, J. P. Sadler, *Kinematics and Dynamics of Machinery*, 3rd ed., Pearson 2003.
-const ENGLISH: Notation =
-    Notation { poles: &[(Order::Velocity, "o"), (Order::Acceleration, "o′")], primes: true, ..PAPER };
-
-/// K. V. Frolov (ed.), *Теория механизмов и машин*, Высшая школа, Moscow 1987.
-const RUSSIAN: Notation = Notation { tangential: "τ", coriolis: "k", ..PAPER };
-
-/// H. Kerle, B. Corves, M. Hüsing, *Getriebetechnik*, 5th ed., Springer Vieweg 2015.
-const GERMAN: Notation = Notation { poles: &[(Order::Velocity, "P_{v}"), (Order::Acceleration, "P_{a}")], ..PAPER };
-
-/// A name with a prime after its letter: `b′`, `d′_2`, `s′3`.
-#[must_use]
-pub fn with_prime(name: &str) -> String {
-    let letters = name.split('_').next().unwrap_or(name);
-    let letters = letters.trim_end_matches(|c: char| c.is_ascii_digit());
-    let (letter, rest) = name.split_at(letters.len());
-    format!("{letter}′{rest}")
 }

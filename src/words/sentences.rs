@@ -5,9 +5,8 @@ use super::Language;
 use crate::message::{Declared, Message};
 use crate::sheet::Sheet;
 
-/// Declares the sentences and a method for each: `title;` gives `title(&self) -> &str`, and
-/// `cross(image);` gives `cross(&self, image: &str) -> String`. Names of points are passed in
-/// backticks, numbers as text.
+/// Declares the sentences and a method for each: `title;` gives `title(&self) -> &str`, and `cross(image);` gives
+/// `cross(&self, image: &str) -> String`. Names of points are passed in backticks, numbers as text.
 macro_rules! sentences {
     ($($(#[$about:meta])* $key:ident $(($($blank:ident),+))?;)+) => {
         /// Index of each sentence in [`DECLARED`].
@@ -70,12 +69,16 @@ sentences! {
     measure_length(from, to);
     /// Of a point of a driven link.
     lay_off_velocity(point, arm, link);
+    lay_off_velocity_turned(point, arm, from, to);
     lay_off_normal_acceleration(point, pivot, link);
     lay_off_whole_acceleration(point, pivot, arm);
     lay_off_given(vector);
+    lay_off_given_turned(vector);
     lay_off_point_under(body, point);
     ray_normal(through, line, image);
+    ray_normal_to_guide(through, line, image);
     ray_parallel(through, line, image);
+    ray_parallel_to_line(through, line, image);
     ray_at_angle(through, angle, image);
     divide(from, to, part, whole, image);
     coincide(link, image, with);
@@ -87,11 +90,14 @@ sentences! {
     no_construction;
     no_construction_far(points);
     lay_off_relative(link, point, from, arm);
+    lay_off_relative_turned(link, point, from, arm);
     lay_off_relative_normal(point, from, arm);
     lay_off_relative_tangential(link, point, from, arm);
     lay_off_sliding_velocity(slider, from, to);
+    lay_off_sliding_velocity_turned(slider, from, to);
     /// Backwards, with its head at a point that is there: the chain runs from the sliding link to the guide.
     lay_off_sliding_velocity_backwards(slider, from, to);
+    lay_off_sliding_velocity_turned_backwards(slider, from, to);
     lay_off_sliding_acceleration(slider, from, to);
     lay_off_sliding_acceleration_backwards(slider, from, to);
     lay_off_coriolis(slider, link, from, to);
@@ -125,6 +131,7 @@ sentences! {
     title;
     scheme;
     velocity_plan;
+    turned_plan(plan, angle);
     acceleration_plan;
     /// A special point that lies off the sheet.
     far_away(point, distance, from);

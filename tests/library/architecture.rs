@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use support::files;
 
 /// The folders of `src` in the order in which values flow; each may use itself and those before it.
-const ORDER: [&str; 20] = [
+const ORDER: [&str; 21] = [
     "geometry",
     "scene",
     "words",
@@ -24,6 +24,7 @@ const ORDER: [&str; 20] = [
     "photo",
     "check",
     "exercise",
+    "board",
     "course",
     "cli",
 ];

@@ -1,4 +1,4 @@
-//! Mechanisms that are not complete yet, as they are drawn on the board.
+//! Mechanisms that are not complete yet, as they are drawn in the hand Build.
 
 use kinegon::drawing::{DraftView, Drawing, Pane, Shape, draft};
 use kinegon::editing::Draft;

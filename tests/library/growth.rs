@@ -4,12 +4,14 @@
 use kinegon::accuracy::bounds;
 use kinegon::check::{DEPTH, Measured, check, form_names};
 use kinegon::construction::Tolerance;
+use kinegon::cycle::{Drive, Path};
 use kinegon::drawing::{Film, HeldLayout, Timing};
 use kinegon::exercise::{ExerciseError, Exercises};
 use kinegon::mechanism::mechanism;
 use kinegon::position::counted_poses;
 use kinegon::quantity::step_pencil;
 use kinegon::scene::{GivenBy, Scene};
+use kinegon::study::{Study, StudyFile};
 use kinegon::{Order, Solution, posed};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -231,4 +233,54 @@ fn places_of_all_joints_leave_nothing_to_search() {
     let scene = Scene::read(&four_bars(2000)).expect("a good scene");
     let (_, pose) = posed(&scene, kinegon::scene::SizeLimit::NUMBERS, None).expect("it can be put together");
     assert!(pose.warnings.is_empty(), "{:?}", pose.warnings);
+}
+
+/// A study of so many four-bars, which go round from one angle to another by steps.
+fn study(rows: usize, [from, to, step]: [f64; 3]) -> Study {
+    let text = format!(
+        r#"{{ "kinegon_study": 1, "scene": {}, "count": {rows}, "at_steps": true,
+            "vary": {{ "3.CD": {{ "plus_minus": 5 }}, "1.AB": {{ "plus_minus": 2 }} }},
+            "cycle": {{ "from": {from}, "to": {to}, "step": {step} }}, "want": {{ "omega(3)": ["max"], "alpha(3)": ["max"] }} }}"#,
+        four_bar("", "")
+    );
+    let study = StudyFile::read(&text).expect("a study");
+    study.of(Scene::read(&four_bar("", "")).expect("a scene")).expect("it moves")
+}
+
+#[test]
+fn rows_of_a_study() {
+    let all = |study: &Study| drop(study.rows(0..study.count()));
+    is_in_proportion("rows", growth(256, |rows| study(rows, [0.0, 360.0, 5.0]), all));
+    is_in_proportion("steps", growth(90, |steps| study(128, [0.0, 360.0, 360.0 / steps as f64]), all));
+}
+
+/// What a row takes beside its positions: its mechanism, which is not compiled by itself, and its assembly.
+#[test]
+fn a_row_of_a_study_beside_positions() {
+    const ROWS: usize = 1024;
+    let solution = solution(&four_bar("", ""));
+    let drive = Drive::new(&solution.mechanism, None).expect("it has a drive");
+    let mut path = Path::new(&solution.mechanism, &solution.pose, drive).expect("it is regular");
+    path.cover(Some(0.0), Some(360.0)).expect("it goes round");
+    let angles: Vec<f64> = (0..64 * ROWS).map(|k| 360.0 * k as f64 / (64 * ROWS) as f64).collect();
+    let study = study(ROWS, [58.0, 62.0, 2.0]);
+    let began = Instant::now();
+    let shortest = |work: &mut dyn FnMut()| {
+        let times = (0..5).map(|_| {
+            let before = busy(began);
+            work();
+            busy(began) - before
+        });
+        times.min().unwrap_or_default().as_secs_f64()
+    };
+    let position = shortest(&mut || {
+        let mut walker = path.many_walker();
+        let mut rest = &angles[..];
+        while !rest.is_empty() {
+            rest = &rest[walker.motions(rest).0..];
+        }
+    }) / angles.len() as f64;
+    let row = shortest(&mut || drop(study.rows(0..study.count()))) / ROWS as f64;
+    println!("a row {:.2} µs, a position {:.4} µs: {:.0}", 1e6 * row, 1e6 * position, row / position);
+    assert!(row < 200.0 * position, "a row of three positions takes as long as {:.0}", row / position);
 }

@@ -6,7 +6,7 @@ use kinegon::message::Declared;
 use kinegon::scene::{LanguageName, Scene};
 use kinegon::words::{Language, catalogue_of};
 use kinegon::{
-    accuracy, check, cycle, drawing, editing, exercise, mechanism, motion, photo, position, quantity, scene,
+    accuracy, board, check, cycle, drawing, editing, exercise, mechanism, motion, photo, position, quantity, scene,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use support::files::refused;
@@ -23,6 +23,7 @@ pub fn declared() -> BTreeMap<&'static str, &'static Declared> {
         cycle::says::DECLARED,
         editing::says::DECLARED,
         drawing::says::DECLARED,
+        board::says::DECLARED,
         check::says::DECLARED,
         exercise::says::DECLARED,
         photo::says::DECLARED,

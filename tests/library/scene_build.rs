@@ -1,8 +1,9 @@
 //! A scene put together in Rust is the scene that its file says: every key of the format, the same checks, the same messages.
 
 use kinegon::scene::{
-    Builder, ConstructionShown, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink,
-    NotationName, Page, PageSize, PointMotion, Push, ScalesFor, Scene, StyleName, TimeUnit, Turn, polar,
+    Builder, ConstructionShown, CoriolisName, DecimalMark, Figure, FrameName, Guide, LanguageName, LengthUnit,
+    LinkMotion, NewLink, NotationName, Page, PageSize, PointMotion, Push, ScalesFor, Scene, SlidingName, StyleName,
+    TimeUnit, Turn, TurnedName, polar,
 };
 use kinegon::{PerSheet, Sheet};
 use support::files;
@@ -203,8 +204,8 @@ fn every_other_key() {
             "drive": { "position": 40, "speed": 3e20, "acceleration": -2 } } ],
         "near": { "E": [1, 2], "angle(2)": 12.5 },
         "figure": { "panels": ["velocity", "scheme"], "mu_l": 1, "mu_v": 2.5, "mu_a": 0.1, "page": "letter-portrait", "worksheet": true,
-                    "style": "board", "notation": "german", "language": "es", "decimal": "comma",
-                    "special_points": false, "construction": false, "step": 7 },
+                    "style": "board", "notation": "german", "sliding": "points", "coriolis": "C", "frame": "0", "turned": "clockwise", "language": "es",
+                    "decimal": "comma", "special_points": false, "construction": false, "step": 7 },
         "want": ["omega(2)", "v(E)"] }"#;
     let push = Push::speed(3e20).position(40.0).acceleration(-2.0);
     let builder = Builder::new(LengthUnit::Ft, TimeUnit::Min)
@@ -223,6 +224,10 @@ fn every_other_key() {
             page: Page { size: PageSize::Letter, landscape: false },
             style: StyleName::Board,
             notation: NotationName::German,
+            sliding: SlidingName::Points,
+            coriolis: Some(CoriolisName::Capital),
+            frame: Some(FrameName::Zero),
+            turned: Some(TurnedName::Clockwise),
             language: LanguageName::Spanish,
             decimal: DecimalMark::Comma,
             worksheet: true,

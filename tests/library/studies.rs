@@ -1,6 +1,6 @@
 //! Mechanisms of a study that are assembled side by side stand where each would by itself.
 
-use kinegon::study::StudyFile;
+use kinegon::study::{Content, Status, StudyFile};
 use kinegon::{Scene, solve};
 
 /// A four-bar, a dyad on its coupler and a slider behind that: three dyads, eight assemblies.
@@ -70,5 +70,23 @@ fn the_assembly_is_that_of_near() {
     ] {
         let [there, else_where] = compared(near);
         assert!(there > 30 && else_where > 10, "{near}: {there} and {else_where}");
+    }
+}
+
+/// Of a block of rows none may have a position, or even links.
+#[test]
+fn none_of_many_may_be_assembled() {
+    for (range, status) in [([500.0, 600.0], Status::NotAssembled), ([-90.0, -10.0], Status::NoMechanism)] {
+        let [from, to] = range;
+        let scene = chain(140.0, 90.0, r#""C": [155, 110], "E": [110, 130]"#);
+        let study = format!(
+            r#"{{ "kinegon_study": 1, "scene": {scene}, "count": 40, "vary": {{ "2.BC": {{ "from": {from}, "to": {to} }} }},
+                "cycle": {{ "from": 60, "to": 62, "step": 1 }}, "want": {{ "omega(3)": ["max"] }} }}"#
+        );
+        let study = StudyFile::read(&study).expect("a study");
+        let study = study.of(Scene::read(&scene).expect("a scene")).expect("it moves");
+        let at = study.columns().iter().position(|column| column.content == Content::Status).expect("a column");
+        let rows = study.rows(0..40);
+        assert!(rows.chunks_exact(study.columns().len()).all(|row| row[at] == f64::from(status as u8)), "{range:?}");
     }
 }

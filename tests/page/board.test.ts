@@ -1,78 +1,65 @@
-// What the board works out by itself: where keys lead, what is only begun, what copies are.
+// The drawing board's file, and the slots of its tools.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import test from "node:test";
-import { copied, pasted } from "../../web/page/build/copied.ts";
-import { crossed } from "../../web/page/build/cross.ts";
-import { isBegun, unfinished } from "../../web/page/build/mobility.ts";
-import { sight } from "../../web/page/build/sight.ts";
-import { drawn, nextChoice, pressed, type Choices, type Present, type Press } from "../../web/page/build/tools.ts";
-import type { Board, Edit, Refused } from "../../web/page/engine/types.ts";
-import { parsed, type Draft } from "../../web/page/panels/parts/scene.ts";
+import { drawingOf, drawingText, standing, type Entry } from "../../web/page/board/file.ts";
+import { begun, lacking, slotsOf, TOOLS } from "../../web/page/board/tools.ts";
+import { documentOf, hashOf, type Shared } from "../../web/page/state/address.ts";
+import { history } from "../../web/page/state/history.ts";
 
-const fourBar = parsed(readFileSync("../templates/four-bar.json", "utf8"))!;
-const board = { sliders: [] } as unknown as Board;
-const present: Present = { scene: fourBar, board, places: new Map([["A", [0, 0]], ["B", [30, 52]], ["C", [157, 110]], ["D", [160, 0]]]) };
-const choices: Choices = { sliding: "block", guided: "along" };
-const press = (at: [number, number], point: string | null = null, link: string | null = null): Press => ({ at, under: at, point, link });
+const filled = (tool: (typeof TOOLS)[number], values: Record<string, string>, from: Entry = begun(tool)): Entry =>
+  Object.entries(values).reduce((entry, [blank, value]) => slotsOf(tool, entry).find((slot) => slot.blank === blank)!.set(entry, value), from);
 
-test("an arrow goes along its own axis, onto the grid of its step", () => {
-  assert.deepEqual(crossed([172.5, 34], "ArrowRight", 10, []), [180, 34]);
-  assert.deepEqual(crossed([172.5, 34], "ArrowDown", 2, []), [172.5, 32]);
-  assert.equal(crossed([0, 0], "Enter", 10, []), null);
-  const things: [number, number][] = [[1, 1], [2, 2], [3, 3]];
-  assert.deepEqual(crossed([0, 0], "PageDown", 10, things), [1, 1]);
-  assert.deepEqual(crossed([3, 3], "PageDown", 10, things), [1, 1]);
-  assert.deepEqual(crossed([1, 1], "PageUp", 10, things), [3, 3]);
-  assert.deepEqual(nextChoice(choices, "guided"), { sliding: "block", guided: "across" });
-  assert.deepEqual(nextChoice({ ...choices, sliding: "pin" }, "sliding"), choices);
+test("what is undone stands no longer, and an undo beyond the beginning takes all", () => {
+  const line = { line: "r1" };
+  assert.deepEqual(standing([line, line, { undo: 1 }, line, line, { undo: 2 }, line]), [0, 6]);
+  assert.deepEqual(standing([line, { undo: 9 }, line]), [2]);
 });
 
-test("only what lacks something as a whole is begun", () => {
-  const refused = (path: string): Refused => ({ path, message: "no", hint: null }) as unknown as Refused;
-  const undriven = structuredClone(fourBar) as Draft & { links: Record<string, { drive?: object }> };
-  delete undriven.links["1"]!.drive;
-  assert.equal(isBegun(undriven, refused("links")), true);
-  assert.equal(isBegun(undriven, refused("links.1.lengths.AB")), false, "a wrong length is a mistake");
-  assert.equal(isBegun(fourBar, refused("links")), false, "nothing is missing where it cannot be assembled");
-  assert.equal(isBegun({ links: {} }, refused("links")), true);
-  assert.match(unfinished(undriven, refused("links")), /3·3 − 8 = 1/);
-  assert.match(unfinished(fourBar, refused("links")), /: no$/);
+test("a drawing is read as it was written", () => {
+  const drawing = { kinegon_drawing: 1 as const, snap: "all", mu_v: 2, did: [{ line: "r1", along: { normal: "2" } }, { undo: 1 }] };
+  assert.deepEqual(drawingOf(drawingText(drawing)), drawing);
+  assert.deepEqual(drawingOf(drawingText({ kinegon_drawing: 1, did: [] })), { kinegon_drawing: 1, did: [] });
+  for (const odd of ["", "{", "null", "[]", '{"kinegon_drawing":1}', '{"kinegon":1,"did":[]}']) assert.equal(drawingOf(odd), null, odd);
 });
 
-test("a copy has its original's lengths and drives under new names, elsewhere", () => {
-  const all = copied(present, { points: new Set(["A", "B", "C", "D"]), links: new Set() });
-  const { edits, chosen } = pasted(fourBar, all, [20, -20]);
-  assert.equal(chosen.points.size, 4);
-  const set = (link: string): Edit | undefined => edits.find((edit) => "set" in edit && edit.set[1] === link);
-  const crank = set("4") as { value: { points: string[]; lengths: object; drive: object } };
-  const own = (fourBar["links"] as Record<string, { drive: object }>)["1"]!;
-  assert.deepEqual(crank.value.drive, own.drive);
-  assert.deepEqual(Object.values(crank.value.lengths), [60]);
-  assert.ok(crank.value.points.every((name) => !["A", "B", "C", "D"].includes(name)));
-  // One link alone has no fixed point of its own: nothing else is copied with it.
-  const one = copied(present, { points: new Set(), links: new Set(["2"]) });
-  assert.deepEqual([one.fixed, one.links.length], [[], 1]);
+test("boxes filled one by one are the entry of the format", () => {
+  assert.deepEqual(filled("line", { on: "velocity", how: "parallel", reference: "3/2", through: "b", name: "r1" }), { line: "r1", along: { parallel: "3/2" }, on: "velocity", through: "b" });
+  assert.deepEqual(filled("line", { on: "velocity", how: "angle", reference: "-30.5", through: "p" }), { line: "", along: { angle: -30.5 }, on: "velocity", through: "p" });
+  assert.deepEqual(filled("cross", { second: "r2", first: "r1", name: "c" }), { cross: "c", of: ["r1", "r2"] });
+  assert.deepEqual(filled("solve", { solve: "a, b", equations: "a + b = 1\n\n a - b = 2 " }), { solve: ["a", "b"], equations: ["a + b = 1", "a - b = 2"] });
+  assert.deepEqual(filled("compute", { name: "x", as: "2", sense: "" }), { compute: "x", as: "2" });
+  // How it lies is kept from one line to the next.
+  assert.deepEqual(begun("line", filled("line", { how: "parallel", reference: "2" })), { line: "", along: { parallel: "" } });
 });
 
-test("tools say what they need, or what follows", () => {
-  assert.equal(pressed("drive", present, press([90, 80], null, "2")), "needs_pivot");
-  assert.deepEqual(pressed("drive", present, press([15, 26], null, "1")), [{ remove: ["links", "1", "drive"] }]);
-  assert.equal(drawn("link", present, press([0, 0]), press([0, 0]), choices), "needs_way");
-  assert.equal(drawn("third", present, press([500, 0]), press([0, 9]), choices), "needs_link");
-  assert.equal(drawn("link", present, press([30, 52], "B"), press([157, 110], "C"), choices), "joined_already");
-  // A link from joint to joint takes the points that are there.
-  const edits = drawn("link", present, press([30, 52], "B"), press([160, 0], "D"), choices);
-  assert.deepEqual(edits, [{ add_link: { points: [{ name: "B", at: [30, 52] }, { name: "D", at: [160, 0] }] } }]);
+test("what is missing is asked for in order, and names that the board gives are not", () => {
+  let entry = begun("line");
+  assert.equal(lacking("line", entry)?.blank, "reference");
+  entry = filled("line", { reference: "2" }, entry);
+  assert.equal(lacking("line", entry)?.blank, "through");
+  assert.equal(lacking("line", filled("line", { through: "b" }, entry)), undefined);
+  assert.equal(lacking("line", { ...entry, drawn: [1, 2, 30] }), undefined, "by eye");
+  assert.equal(lacking("cross", filled("cross", { first: "r1", second: "r2" }))?.blank, "name");
+  for (const tool of TOOLS) assert.notEqual(lacking(tool, begun(tool)), undefined, tool);
 });
 
-test("what is fitted fills the board, small or large", () => {
-  for (const [width, height] of [[800, 600], [320, 220]] as const) {
-    const own = sight();
-    own.resize(width, height);
-    own.fit([[0, 0], [300, 100]], "mm");
-    const [left, right] = [own.toPane([0, 0])[0], own.toPane([300, 0])[0]];
-    assert.ok(left > 0 && right < width && right - left > 0.7 * width, `${left} to ${right} of ${width}`);
-    assert.deepEqual(own.rounded([9.9, -0.1], true).map((value) => value / own.grid().fine).map((steps) => steps - Math.round(steps)).map(Math.abs), [0, 0]);
-  }
+test("undo of the page leaves the drawing of the same scene as it is, and brings that of another back", () => {
+  const all = history({ text: "0", form: "" });
+  all.change({ form: "f" });
+  all.draw("d");
+  all.undo();
+  assert.deepEqual(all.now.value, { text: "0", form: "", drawing: "d" });
+  all.change({ text: "1", drawing: "" });
+  all.draw("e");
+  all.undo();
+  assert.deepEqual(all.now.value, { text: "0", form: "", drawing: "d" });
+  all.redo();
+  assert.equal(all.now.value.drawing, "e");
+});
+
+test("a link carries a drawing and how the board is used; what is not known is left out", async () => {
+  const shared: Shared = { text: "{}", drawing: "d", board: { mode: "exam", snap: "none", at_once: false } };
+  assert.deepEqual(await documentOf(await hashOf(shared)), shared);
+  const odd = { text: "{}", board: { mode: "cheat", snap: 7 } } as unknown as Shared;
+  assert.deepEqual(await documentOf(await hashOf(odd)), { text: "{}" });
 });

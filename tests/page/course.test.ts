@@ -158,7 +158,7 @@ class System {
     heard("LMSInitialize")("");
     const own = course(EMPTY)!;
     let now = about.form ?? own.form;
-    own.follow(() => now);
+    own.follow(() => ({ form: now }));
     // How a session ended and how long it took no system tells.
     const get = (element: string): string => told[`cmi.${element}`] ?? "";
     const end = (): void => {
@@ -247,4 +247,17 @@ test("a value in mm of paper and one that was not asked for come back as they we
   assert.deepEqual(JSON.parse(unpacked(packed(null, written, EMPTY))!.into(EMPTY)!), JSON.parse(written));
   assert.equal(unpacked(packed(null, written, EMPTY))!.into(EMPTY.replace("7-1", "7-2")), null, "another exercise");
   for (const odd of ["", "[]", "null", "{", '{"v":2}', '{"v":1,"h":7,"x":{}}']) assert.equal(unpacked(odd)?.into(EMPTY) ?? null, null, odd);
+});
+
+test("a drawing comes back, and goes first where there is no room", () => {
+  const entry = (number: number): object => ({ line: `r${number}`, on: "velocity", through: "b", along: { normal: "2" }, t: 1000 * number });
+  const drawing = `${JSON.stringify({ kinegon_drawing: 1, did: Array.from({ length: 40 }, (_, number) => entry(number)) })}\n`;
+  const kept = packed(50, form({ "omega(2)": "1" }), EMPTY, drawing);
+  assert.ok(kept.length < 4096);
+  assert.equal(unpacked(kept)!.drawing, drawing);
+  const noise = Array.from({ length: 3000 }, (_, at) => ((at * 7919) % 65521).toString(36)).join("");
+  const full = unpacked(packed(50, form({ "omega(2)": "1" }), EMPTY, noise))!;
+  assert.equal(full.drawing, "");
+  assert.equal(JSON.parse(full.into(EMPTY)!).values["omega(2)"], "1");
+  assert.equal(unpacked('{"v":1,"b":null,"d":"?"}')!.drawing, "", "damaged");
 });

@@ -10,7 +10,7 @@ import { tracedOf } from "../../web/page/panels/curves/choice.ts";
 import { freeLink, freePoint } from "../../web/page/panels/mechanism/free_name.ts";
 import { freshPlace } from "../../web/page/panels/mechanism/fresh_place.ts";
 import { allPoints, type Draft, lengthKey, pairs, parsed, pointsOf, sizeOf } from "../../web/page/panels/parts/scene.ts";
-import { viewport } from "../../web/page/picture/viewport.ts";
+import { viewport } from "../../web/page/look/viewport.ts";
 
 const template = (name: string): Draft => parsed(readFileSync(`../templates/${name}.json`, "utf8"))!;
 

@@ -112,7 +112,17 @@ fn exercises_bring_sheets_for_their_plans() {
         path.join("slider-crank-4-1")
     };
     let (with, without) = (made("with", &[]), made("without", &["--no-markers"]));
-    let usual = ["form.csv", "form.json", "key.json", "key.pdf", "key.svg", "scene.json", "sheet.pdf", "sheet.svg"];
+    let usual = [
+        "form.csv",
+        "form.json",
+        "key-drawing.json",
+        "key.json",
+        "key.pdf",
+        "key.svg",
+        "scene.json",
+        "sheet.pdf",
+        "sheet.svg",
+    ];
     let usual = usual.into_iter().filter(|name| cfg!(feature = "pdf") || !name.ends_with("pdf"));
     assert!(names(&without).into_iter().eq(usual));
     let more: Vec<String> = names(&with).into_iter().filter(|name| name.starts_with("sheet-")).collect();

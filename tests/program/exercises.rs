@@ -475,8 +475,17 @@ fn files_hold_together() {
         assert!(names.contains(&"sheet-2.svg".to_owned()));
         names.retain(|name| !name.starts_with("sheet-"));
         names.sort();
-        let mut expected =
-            vec!["form.csv", "form.json", "key.json", "key.pdf", "key.svg", "scene.json", "sheet.pdf", "sheet.svg"];
+        let mut expected = vec![
+            "form.csv",
+            "form.json",
+            "key-drawing.json",
+            "key.json",
+            "key.pdf",
+            "key.svg",
+            "scene.json",
+            "sheet.pdf",
+            "sheet.svg",
+        ];
         if !cfg!(feature = "pdf") {
             expected.retain(|name| !name.ends_with("pdf"));
         }

@@ -8,7 +8,7 @@ use kinegon::position::{Count, Listed};
 use kinegon::quantity::{QuantityRequest, pencil, step_names};
 use kinegon::scene::{LanguageName, NotationName, Scene};
 use kinegon::words::Wording;
-use kinegon::{Solution, format};
+use kinegon::{Order, Solution, format};
 use kinegon_web::Engine;
 use support::files;
 use support::program::{self, kinegon, stderr};
@@ -364,6 +364,98 @@ fn notations_write_what_their_schools_write() {
             assert!(text.contains(name), "{notation}: no {name}");
         }
     }
+}
+
+/// Motions along guides by the points of both links, Coriolis by any index, the frame as a number: in equations, captions and figures;
+/// quantities keep their names.
+#[test]
+fn motions_along_guides_and_the_frame_are_written_as_asked() {
+    let whitworth = files::read("templates/whitworth.json");
+    let said = |changes: &[(&str, &str)]| steps(&solved(&with(&whitworth, changes)).expect("a good scene"));
+    let by_points = said(&[("sliding", "points"), ("coriolis", "C"), ("frame", "0")]);
+    for words in [
+        "v_B_3 = v_B − v_B_2B_3",
+        "a^C_B_2B_3 = 2 ω_3 v_B_2B_3",
+        "a_B_3 = a_B − a^C_B_2B_3 − a^r_B_2B_3",
+        "for ω_4, v_F_5F_0.",
+        "v_F_5F_0 = μ_v (p f)",
+        "the guide of 5/0;",
+        "sliding velocity of 5/0 along its guide, from F_0 to F",
+        "v_r(5/ground) = 363.5287",
+    ] {
+        assert!(by_points.contains(words), "no {words} in\n{by_points}");
+    }
+    assert!(!by_points.contains("v_r(2/3) = μ") && !by_points.contains("a_c("), "{by_points}");
+    let by_slider = said(&[("coriolis", "cor"), ("language", "es")]);
+    for words in ["a_cor(2/3) = 2 ω_3 v_r(2/3)", "para ω_4, v_r(5/bastidor).", "desde F_bastidor hasta F"] {
+        assert!(by_slider.contains(words), "no {words} in\n{by_slider}");
+    }
+    assert!(said(&[("sliding", "points"), ("notation", "russian")]).contains("a^k_B_2B_3 = 2 ω_3"));
+
+    let label = |text: &str, id: &str, changes: &[(&str, &str)]| -> Vec<String> {
+        let drawing = solved(&with(text, changes)).expect("a good scene").figure();
+        let texts = drawing.marks.iter().filter_map(|mark| match &mark.shape {
+            Shape::Text(text) if mark.id.as_deref() == Some(id) => Some(text.text.content()),
+            _ => None,
+        });
+        texts.collect()
+    };
+    assert_eq!(label(&whitworth, "scheme-label-ground", &[("frame", "0")]), ["0"]);
+    assert!(label(&whitworth, "scheme-label-ground", &[]).is_empty());
+    let pushed = files::read("tests/driven_sliders/cylinder-on-slide.json");
+    assert_eq!(label(&pushed, "scheme-label-speed(2/1)", &[]), ["v2/1"]);
+    assert_eq!(label(&pushed, "scheme-label-speed(2/1)", &[("sliding", "points")]), ["vP2P1"]);
+}
+
+/// Turned velocities: the heading says so, vectors lie along their links and rays parallel to them; directions are those on the sheet.
+/// Results and what a hand draws on do not change.
+#[test]
+fn a_velocity_plan_is_shown_turned() {
+    let whitworth = files::read("templates/whitworth.json");
+    let turned = |sense| solved(&with(&whitworth, &[("turned", sense)])).expect("a good scene");
+    let plain = solved(&with(&whitworth, &[])).expect("a good scene");
+    for (sense, has) in [
+        ("counter-clockwise", ["turned by +90°", "in the direction from B to A", "direction -120.00°"]),
+        ("clockwise", ["turned by −90°", "in the direction from A to B", "direction 60.00°"]),
+    ] {
+        let solution = turned(sense);
+        let text = steps(&solution);
+        let (velocities, accelerations) = text.split_once("Acceleration plan\n").expect("both plans");
+        let both =
+            ["through d parallel to DB_3", "through b normal to the guide of 2/3", "turned, normal to its guide"];
+        for words in has.into_iter().chain(both) {
+            assert!(velocities.contains(words), "{sense}: no {words} in\n{velocities}");
+        }
+        assert!(steps(&plain).ends_with(accelerations));
+        let figure = solution.figure();
+        let mut texts = figure.marks.iter().filter_map(|mark| match &mark.shape {
+            Shape::Text(text) => Some(text.text.content()),
+            _ => None,
+        });
+        assert!(texts.any(|text| text.ends_with(has[0])), "{sense}");
+        // The plan of turned velocities is the mechanism, link by link, in other sizes.
+        let plan = solution.shown_construction().plan(Order::Velocity).expect("a plan");
+        for [from, to] in [["A", "B"], ["D", "E"], ["E", "F"]] {
+            let [a, b] = [from, to].map(|name| solution.pose.point(solution.mechanism.point(name).expect(name)));
+            let image = plan.segment(&from.to_lowercase(), &to.to_lowercase()).expect("images");
+            assert!((b - a).perp(&image).abs() < 1e-12 * (b - a).norm() * image.norm(), "{sense}: {from}{to}");
+        }
+        assert_eq!(format::json(&solution.result()), format::json(&plain.result()));
+        let sheets =
+            |solution: &Solution| -> Vec<String> { solution.drawing_sheets("w").iter().map(Drawing::svg).collect() };
+        assert_eq!(sheets(&solution), sheets(&plain));
+    }
+}
+
+#[test]
+fn an_option_calls_the_frame_by_no_name_of_a_link() {
+    let run = |frame: &str| {
+        program::with_scene(&["steps", "-", "--frame", frame], files::read("templates/whitworth.json").as_bytes())
+    };
+    assert!(run("0").status.success());
+    let output = run("1");
+    assert!(!output.status.success());
+    assert!(stderr(&output).contains("--frame: link 1 has this name"), "{}", stderr(&output));
 }
 
 #[test]

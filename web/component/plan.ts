@@ -17,7 +17,7 @@ import { pane } from "../page/picture/pane.ts";
 import { currentPicture } from "../page/picture/picture.ts";
 import { pulling } from "../page/picture/pulling.ts";
 import { paneOf } from "../page/picture/surface.ts";
-import { viewport, type Viewport } from "../page/picture/viewport.ts";
+import { viewport, type Viewport } from "../page/look/viewport.ts";
 import { said, withLine } from "../page/refused.ts";
 import { history } from "../page/state/history.ts";
 import { owned, signal, type Signal } from "../page/state/signal.ts";

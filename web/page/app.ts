@@ -2,7 +2,7 @@ import type { EngineClient } from "./engine/client.ts";
 import type { Opened, Picture, Pins, Refused, View } from "./engine/types.ts";
 import type { Broken } from "./motion/film.ts";
 import type { Sheet } from "./sheets.ts";
-import type { Shared, Task } from "./state/address.ts";
+import type { BoardUse, Shared, Task } from "./state/address.ts";
 import type { Course } from "./state/course.ts";
 import type { History } from "./state/history.ts";
 import type { Signal } from "./state/signal.ts";
@@ -43,7 +43,7 @@ export interface App {
   /** Whether pulling a joint changes lengths in place of moving the mechanism. */
   shaping: Signal<boolean>;
   pins: Signal<Pins>;
-  /** Whether the hand Build is chosen: a board in place of the picture, on which the mechanism is put together. */
+  /** Whether the hand Build is chosen: in place of the picture the mechanism is put together. */
   building: Signal<boolean>;
   /** A point or a link whose card in the form of the mechanism is to be seen; `types`: and its number typed. The panel sets it to null. */
   card: Signal<{ of: "point" | "link"; name: string; types: boolean } | null>;
@@ -51,6 +51,10 @@ export interface App {
   student: Signal<boolean>;
   /** The exercise that the student's scene is; null where the link names none. */
   task: Signal<Task | null>;
+  /** How the drawing board is used, where a link has said it. */
+  board: Signal<BoardUse | null>;
+  /** Whether the drawing board is shown. */
+  drawing: Signal<boolean>;
   /** The course that has opened the page; null where none has. */
   course: Course | null;
   /** What that course asks. */

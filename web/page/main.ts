@@ -1,5 +1,6 @@
 /** Wires the page: store → engine → picture → panels. */
 import type { App, Solved } from "./app.ts";
+import { board } from "./board/board.ts";
 import { build } from "./build/build.ts";
 import { byId } from "./dom/find.ts";
 import { startEngine, type EngineClient } from "./engine/client.ts";
@@ -37,9 +38,9 @@ import { pane } from "./picture/pane.ts";
 import { currentPicture } from "./picture/picture.ts";
 import { pulling } from "./picture/pulling.ts";
 import { surface } from "./picture/surface.ts";
-import { viewport } from "./picture/viewport.ts";
+import { viewport } from "./look/viewport.ts";
 import type { Sheet } from "./sheets.ts";
-import { baseOf, documentOf, hashOf, type BadLink, type Shared, type Task } from "./state/address.ts";
+import { baseOf, documentOf, hashOf, type BadLink, type BoardUse, type Shared, type Task } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";
 import { course } from "./state/course.ts";
 import { history, type Document } from "./state/history.ts";
@@ -65,9 +66,10 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
   const hears = course(asked.form);
   // What this very tab has is newer than what the course has kept.
   const form = shared.asked === undefined && hears !== null ? hears.form : (shared.form ?? "");
+  const drawing = shared.asked === undefined && hears !== null && hears.drawing !== "" ? hears.drawing : (shared.drawing ?? "");
   const app: App = {
     root: document,
-    history: history({ text: shared.text, form }, past),
+    history: history({ text: shared.text, form, drawing }, past),
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
     typing: signal(false),
@@ -83,6 +85,8 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
     card: signal<App["card"]["value"]>(null),
     student: signal(shared.student ?? false),
     task: signal<Task | null>(shared.task ?? null),
+    board: signal<BoardUse | null>(shared.board ?? null),
+    drawing: signal(false),
     course: hears,
     asked,
     tell,
@@ -95,12 +99,13 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
     film: null,
     open(text) {
       app.task.set(null);
-      app.history.change({ text });
+      app.board.set(null);
+      app.history.change({ text, drawing: "" });
     },
     link: async (what) => baseOf(location.href) + (await hashOf(what)),
     print: printer(),
   };
-  hears?.follow(() => app.history.now.value.form);
+  hears?.follow(() => app.history.now.value);
   return app;
 }
 
@@ -127,6 +132,7 @@ function wire(app: App, store: Store): void {
   toolbar(app, store);
   messages(app);
   build(app);
+  board(app);
   documents(app, store);
   dropped(app);
   printedByBrowser(app);
@@ -153,10 +159,11 @@ function watchAddress(app: App, store: Store): void {
     const found = await documentOf(link);
     if (found === null) return;
     if (typeof found === "string") return notice(badLink(found));
-    app.history.change({ text: found.text, form: found.form ?? "" });
+    app.history.change({ text: found.text, form: found.form ?? "", drawing: found.drawing ?? "" });
     app.view.set(found.view ?? FINISHED);
     app.student.set(found.student ?? false);
     app.task.set(found.task ?? null);
+    app.board.set(found.board ?? null);
     store.keep(asKept(app), app.history.past());
     if (found.panel !== undefined) app.show(found.panel);
   };
@@ -193,10 +200,11 @@ function offer(app: App, kept: Kept): void {
 }
 
 /** Goes on with what was kept. */
-function takeUp(app: App, { text, form, student, task }: Kept): void {
-  app.history.change({ text, form });
+function takeUp(app: App, { text, form, drawing = "", student, task, board }: Kept): void {
+  app.history.change({ text, form, drawing });
   app.student.set(student ?? false);
   app.task.set(task ?? null);
+  app.board.set(board ?? null);
 }
 
 async function start(): Promise<void> {

@@ -59,7 +59,8 @@ def form_text(form: Source | Mapping[str, float]) -> tuple[str, bool]:
     senses of this library."""
     if isinstance(form, Mapping):
         senses = {"kinegon_measured": 1, "positive": "counter-clockwise"}
-        return _files.dumped(form if "kinegon_measured" in form else {**senses, "values": form}), False
+        is_file = "kinegon_measured" in form or "kinegon_drawing" in form
+        return _files.dumped(form if is_file else {**senses, "values": form}), False
     is_file = not _files.is_text(form)
     is_table = is_file and os.fsdecode(form).lower().endswith(".csv")
     return _files.source_text(form, "form"), is_table

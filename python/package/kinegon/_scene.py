@@ -260,6 +260,7 @@ class Exercise:
             for number, sheet in enumerate(sheets, 1):
                 files[f"sheet.{format}" if number == 1 else f"sheet-{number}.{format}"] = sheet
         files |= {"form.json": self.form(), "form.csv": self.form("csv"), "key.json": self._native.key_file()}
+        files["key-drawing.json"] = self._native.key_drawing()
         os.makedirs(own)
         _files.write_all({os.path.join(own, name): data if isinstance(data, bytes) else data.encode() for name, data in files.items()})
         return own

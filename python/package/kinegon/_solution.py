@@ -266,6 +266,10 @@ class Solution:
         """The empty form of measured values: ``json``, or ``csv`` for a spreadsheet."""
         return self._native.form(_files.form_is_table(format))
 
+    def drawing(self) -> str:
+        """Kinegon's own construction as a drawing: JSON, as the drawing board reads it and :meth:`check` judges it."""
+        return self._native.drawing()
+
     def check(
         self,
         form: Source,
@@ -275,11 +279,12 @@ class Solution:
         pencil_degrees: float | None = None,
         depth: int = 5,
     ) -> Check:
-        """Checks values read from a hand drawing.
+        """Checks values read from a hand drawing, or a drawing made on the drawing board, operation by operation.
 
         Args:
             form: Values by names, counter-clockwise positive, as ``{"omega(4)": -0.474, "v(D).size": 71.2}``; or a
-                filled form: a dict, its text (JSON or CSV), its path.
+                filled form: a dict, its text (JSON or CSV), its path. Or a drawing, likewise: then ``check.result["drawing"]``
+                has the verdicts on its operations, and ``first_wrong`` the index of the first wrong one.
             marks: A marking scheme, as for ``kinegon check --marks``.
             pencil_mm: Limit of the hand's errors in mm of paper; without both limits what the scatter of the values shows.
             pencil_degrees: The same in degrees.

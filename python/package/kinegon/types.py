@@ -189,6 +189,22 @@ StyleName = Literal["paper", "print", "lecture", "board"]
 Notation = Literal["paper", "english", "russian", "german"]
 
 
+#: How the motion along a guide is written.
+Sliding = Literal["slider", "points"]
+
+
+#: The index of the Coriolis part of an acceleration.
+Coriolis = Literal["c", "C", "k", "cor"]
+
+
+#: The number of the frame, in place of the word for it.
+Frame = Literal["0", "1"]
+
+
+#: The sense in which the velocity plan is turned by 90°.
+Turned = Literal["counter-clockwise", "clockwise"]
+
+
 #: A language of headings and captions.
 Language = Literal["en", "es", "de", "pt"]
 
@@ -228,6 +244,14 @@ class Figure(TypedDict):
     """How lines and letters look; left out: "paper"."""
     notation: NotRequired[Notation]
     """How poles, images and parts of accelerations are written; left out: "paper". Names of quantities stay the same."""
+    sliding: NotRequired[Sliding]
+    """How motions along guides are written: "slider" as v_r(3/2), "points" as v_B3B2; left out: "slider"."""
+    coriolis: NotRequired[Coriolis]
+    """The index of Coriolis accelerations; left out: that of the notation."""
+    frame: NotRequired[Frame]
+    """The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word."""
+    turned: NotRequired[Turned]
+    """The sense in which figures and steps show the velocity plan turned by 90°; sheets to be drawn on, keys and checks have it as it is. Left out: not turned."""
     language: NotRequired[Language]
     """Language of headings and captions; left out: "en"."""
     decimal: NotRequired[Decimal]
@@ -941,6 +965,14 @@ class FigureKeys(TypedDict, total=False):
     """Whether it is a work sheet: with a table of all measured lengths and a ruler to test the printer; left out: false."""
     notation: Notation | None
     """How poles, images and parts of accelerations are written; left out: "paper". Names of quantities stay the same."""
+    sliding: Sliding | None
+    """How motions along guides are written: "slider" as v_r(3/2), "points" as v_B3B2; left out: "slider"."""
+    coriolis: Coriolis | None
+    """The index of Coriolis accelerations; left out: that of the notation."""
+    frame: Frame | None
+    """The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word."""
+    turned: Turned | None
+    """The sense in which figures and steps show the velocity plan turned by 90°; sheets to be drawn on, keys and checks have it as it is. Left out: not turned."""
     language: Language | None
     """Language of headings and captions; left out: "en"."""
     decimal: Decimal | None

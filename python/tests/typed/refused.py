@@ -11,6 +11,9 @@ solution.draw(language="esp")  # refused
 solution.draw(style="papr")  # refused
 solution.draw("bmp")  # refused
 solution.draw(notation="french")  # refused
+solution.draw(sliding="point")  # refused
+solution.draw(frame=0)  # refused
+solution.draw(turnd="clockwise")  # refused
 solution.draw(page="a5")  # refused
 solution.draw(panels=["speed"])  # refused
 solution.draw("png", dpi="200")  # refused

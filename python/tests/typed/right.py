@@ -14,6 +14,7 @@ page: str = scene.draw("html", step=3)
 png: bytes = solution.draw("png", dpi=200, sheet=1)
 own: bytes = solution.draw("pdf", style=pathlib.Path("own.json"))
 by_dict: str = solution.draw("tikz", style={"kinegon_style": 1, "ink": "#112233", "pens": {"link": {"width": 0.5}}})
+schools: str = solution.draw(sliding="points", coriolis="C", frame="0", turned="clockwise")
 film: bytes = solution.draw("gif", seconds=2, fps=10, drive="1")
 solution.save("figure.svg", layered=True, coarse=True, outlines=False, page="a3")
 

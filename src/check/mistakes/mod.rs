@@ -16,8 +16,9 @@ mod vectors;
 use catalogue::catalogue;
 pub use site::Candidate;
 pub(super) use site::{Amount, Free, Site};
+pub(super) use told::symbol;
+pub(crate) use told::tell;
 pub use told::{Blank, Mistake, Told};
-pub(super) use told::{symbol, tell};
 
 macro_rules! functions {
     ($($(#[$about:meta])+ $mistake:ident $id:literal $percent:literal $find:path { $($sentences:tt)+ })+) => {

@@ -225,7 +225,7 @@ fn line_name(site: &Site<'_>, line: LineId) -> Blank {
         }
         Some((OperationRole::Guide(slider), _)) => {
             let solution = site.key.solution;
-            Blank::Guide(solution.mechanism.slider_in_words(slider, solution.wording().language))
+            Blank::Guide(solution.mechanism.slider_in_words(slider, &solution.wording()))
         }
         _ => Blank::LineThrough(String::new()),
     }

@@ -31,7 +31,7 @@ macro_rules! mistakes {
         }),+];
 
         /// The sentences of the mistakes: a function for each pair, which fills its blanks.
-        pub(in crate::check) mod tell {
+        pub(crate) mod tell {
             use super::{Blank, Mistake, Told};
 
             $($($(#[$case])*
@@ -180,6 +180,14 @@ impl Told {
         let shown: Vec<(&str, String)> =
             self.blanks.iter().map(|(name, blank)| (*name, blank.shown(words, quantity))).collect();
         ["done", "should"].map(|which| words.language.of_table(&format!("{}-{which}", self.key), &shown))
+    }
+
+    /// Whether it tells the same of the same place; numbers may differ, as those of another scene.
+    pub(crate) fn is_same_place(&self, other: &Told) -> bool {
+        let is_number = |blank: &Blank| matches!(blank, Blank::Number(_));
+        let alike =
+            |(one, two): (&(&str, Blank), &(&str, Blank))| one == two || (is_number(&one.1) && is_number(&two.1));
+        self.key == other.key && self.blanks.iter().zip(&other.blanks).all(alike)
     }
 
     /// The quantity with which the sentences begin, as that of a rate that was taken wrongly.

@@ -13,6 +13,7 @@ use crate::drawing::view::next_of;
 use crate::mechanism::{Role, SliderId};
 use crate::quantity::{QuantityKind, QuantityRequest};
 use crate::scene::Scene;
+use crate::sheet::Order;
 use crate::text::Untrusted;
 use crate::words::{Medium, NumberStyle, Wording};
 use kurbo::Point;
@@ -98,7 +99,7 @@ impl<'a> CurveContext<'a> {
 
     /// The symbol of a quantity.
     pub fn symbol(&self, asked: &QuantityRequest) -> String {
-        asked.symbol(&self.path.mechanism, self.words.notation, &|name| self.shown(name))
+        asked.symbol(&self.path.mechanism, &self.words.notation, &|name| self.shown(name))
     }
 
     /// The vertical lines at marked values of the drive, with their pens.
@@ -155,10 +156,11 @@ impl<'a> CurveContext<'a> {
         }
         for (index, slider) in mechanism.sliders.iter().enumerate() {
             let Some(drive) = slider.drive else { continue };
-            let name = self.shown(&mechanism.push_name(SliderId(index)));
-            add(format!("v_{{{name}}}"), drive.speed, QuantityKind::Velocity);
+            let symbol =
+                |of| mechanism.push_symbol(of, SliderId(index), &self.words.notation, &|name| self.shown(name));
+            add(symbol(Order::Velocity), drive.speed, QuantityKind::Velocity);
             if drive.acceleration != 0.0 {
-                add(format!("a_{{{name}}}"), drive.acceleration, QuantityKind::Acceleration);
+                add(symbol(Order::Acceleration), drive.acceleration, QuantityKind::Acceleration);
             }
         }
         let count = parts.len();

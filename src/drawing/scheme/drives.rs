@@ -8,6 +8,7 @@ use crate::drawing::sheet::Pen;
 use crate::drawing::values::drive_value;
 use crate::drawing::view::on_sheet;
 use crate::mechanism::{BodyId, GROUND, PointId, Role, SliderId};
+use crate::sheet::Order;
 use kurbo::{Point, Vec2};
 
 impl SchemeOnPaper<'_> {
@@ -25,8 +26,9 @@ impl SchemeOnPaper<'_> {
         for slider in self.mechanism.slider_ids() {
             match self.mechanism.slider(slider).drive {
                 Some(drive) if drive.speed != 0.0 => {
-                    let name = self.mechanism.push_name(slider);
-                    let label = format!("v_{{{}}}", canvas.shown(&name, &name));
+                    let shown = |name: &str| self.context.shown(name, None);
+                    let notation = &self.context.words.notation;
+                    let label = self.mechanism.push_symbol(Order::Velocity, slider, notation, &shown);
                     self.slide_arrow(canvas, slider, drive.speed, ["speed", &label]);
                 }
                 None if self.context.purpose == Purpose::Exercise => {

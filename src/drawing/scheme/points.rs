@@ -13,6 +13,7 @@ use crate::drawing::text::RichText;
 use crate::drawing::view::{on_sheet, towards};
 use crate::geometry::Place;
 use crate::mechanism::{BodyId, GROUND, Role, Slider, SliderId};
+use crate::scene::FrameName;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect, Vec2};
 
@@ -79,7 +80,8 @@ impl SchemeOnPaper<'_> {
         }
         if let Some(&first) = self.mechanism.body(GROUND).points.first() {
             let name = self.mechanism.body(GROUND).name.as_str();
-            let shown = canvas.shown(name, "");
+            let number = self.context.words.notation.frame.map_or("", FrameName::as_str);
+            let shown = canvas.shown(name, number);
             if !shown.is_empty() {
                 let anchor = self.at(first) + Vec2::new(0.0, 6.0);
                 canvas.label(name, &shown, anchor, 1.5, Some(Vec2::new(0.0, 1.0)), 1);

@@ -4,8 +4,9 @@ use super::{AngularConstraint, Joint, Mark};
 use crate::geometry::{Point, Turn, Vector, direction_of_degrees, turn_of_degrees};
 use crate::mechanism::shape::direction;
 use crate::mechanism::{Body, BodyId, GROUND, JointId, Mechanism, PointId, Role, SliderId};
-use crate::scene::{self, Along, At, GivenBy, On, Scene, SliderDrive};
-use crate::words::Language;
+use crate::scene::{self, Along, At, GivenBy, On, Scene, SliderDrive, SlidingName};
+use crate::sheet::Order;
+use crate::words::{Notation, SlidePart, SliderNames, Wording, under};
 use smallvec::smallvec;
 
 /// A link that slides along a straight guide of another body and keeps its angle to it.
@@ -129,10 +130,41 @@ impl Mechanism {
         self.slider_name_with(id, &self.body(GROUND).name)
     }
 
-    /// The same in sentences and equations of a language: `5/bastidor` for `5/ground`.
+    /// The same in sentences: `5/bastidor` or `5/0` for `5/ground`.
     #[must_use]
-    pub fn slider_in_words(&self, id: SliderId, language: &Language) -> String {
-        self.slider_name_with(id, language.ground())
+    pub fn slider_in_words(&self, id: SliderId, words: &Wording) -> String {
+        self.slider_name_with(id, words.ground())
+    }
+
+    /// What symbols of a notation name a slider by; `shown` gives the text for a name.
+    #[must_use]
+    pub fn slider_shown(&self, id: SliderId, notation: &Notation, shown: &dyn Fn(&str) -> String) -> SliderNames {
+        let slider = self.slider(id);
+        let ground = self.body(GROUND).name.as_str();
+        let text = |name: &str| match (shown(name), notation.frame) {
+            (own, Some(frame)) if name == ground && own == ground => frame.as_str().to_owned(),
+            (own, _) => own,
+        };
+        let pair: Vec<String> = self.slider_name(id).split('/').map(text).collect();
+        let at = self.point_name(slider.at);
+        // A block without a name belongs to the link that has its pin.
+        let block = self.body(slider.link);
+        let link = match block.block {
+            true => self.bodies.iter().find(|body| !body.is_nameless() && body.has(slider.at)),
+            false => Some(block),
+        };
+        let point = |body: &Body| under(&text(at), &text(&body.name));
+        let mut points = [link.map_or_else(|| text(at), point), point(self.body(slider.on))];
+        // A pin in two slots of a link.
+        let is_alike = |other: &&Slider| {
+            let same = self.body(other.link).name == block.name && self.body(other.link).block == block.block;
+            same && (other.at, other.on) == (slider.at, slider.on)
+        };
+        let before = self.sliders[..id.0].iter().filter(is_alike).count();
+        if before > 0 {
+            points[1].push_str(&format!("#{}", before + 1));
+        }
+        SliderNames { pair: pair.join("/"), points }
     }
 
     fn slider_name_with(&self, id: SliderId, ground: &str) -> String {
@@ -142,6 +174,18 @@ impl Mechanism {
         match self.sliders[..id.0].iter().filter(|slider| names(slider) == own).count() {
             0 => format!("{link}/{on}"),
             count => format!("{link}/{on}#{}", count + 1),
+        }
+    }
+
+    /// The symbol of a driven slider's velocity or acceleration beside its drive: `v_{3}` or `v_{2/1}`, in a notation by points as
+    /// everywhere.
+    #[must_use]
+    pub fn push_symbol(&self, of: Order, id: SliderId, notation: &Notation, shown: &dyn Fn(&str) -> String) -> String {
+        match notation.sliding {
+            SlidingName::Slider => format!("{}_{{{}}}", of.vector(), shown(&self.push_name(id))),
+            SlidingName::Points => {
+                notation.slide(of, SlidePart::Relative, &self.slider_shown(id, notation, shown)).markup()
+            }
         }
     }
 

@@ -1,4 +1,4 @@
-//! Nobody is kept out: what axe-core finds, in all panels and on the board, light and dark, on a screen and on a telephone.
+//! Nobody is kept out: what axe-core finds, in all panels and in Build, light and dark, on a screen and on a telephone.
 
 use super::bench::Bench;
 use support::{files, survey};
@@ -7,8 +7,17 @@ use support::{files, survey};
 const RULES: [&str; 3] =
     ["{}", "{ runOnly: ['color-contrast'] }", "{ rules: { 'color-contrast': { enabled: false } } }"];
 
+/// The script of axe-core; none, and said so, where it is not installed.
+pub fn axe() -> Option<String> {
+    let script = std::fs::read_to_string(files::path("web/node_modules/axe-core/axe.min.js")).ok();
+    if script.is_none() {
+        eprintln!("SKIPPED: axe-core is not installed; npm ci in web/ does");
+    }
+    script
+}
+
 /// What breaks some of the rules.
-fn run(rules: &str) -> String {
+pub fn run(rules: &str) -> String {
     format!(
         "axe.run(document, {{ ...{rules}, resultTypes: ['violations'] }}).then(({{ violations }}) => \
          violations.map((v) => `${{v.id}}: ${{v.nodes.map((n) => n.target.join(' ')).slice(0, 4).join(', ')}}`))"
@@ -17,10 +26,7 @@ fn run(rules: &str) -> String {
 
 #[test]
 fn axe_finds_nothing() {
-    let Ok(axe) = std::fs::read_to_string(files::path("web/node_modules/axe-core/axe.min.js")) else {
-        eprintln!("SKIPPED: axe-core is not installed; npm ci in web/ does");
-        return;
-    };
+    let Some(axe) = axe() else { return };
     let Some(mut bench) = Bench::open("axe") else { return };
     bench.value(&axe);
     let mut found = Vec::new();
@@ -42,11 +48,11 @@ fn axe_finds_nothing() {
             bench.settle();
             look_at(&mut bench, panel);
         }
-        // The board, with the tool that has most to choose.
+        // Build, with the tool that has most to choose.
         bench.value("kinegon.app.show('mechanism'); kinegon.app.building.set(true)");
         bench.click("#build [data-value=slider]");
         bench.settle();
-        look_at(&mut bench, "board");
+        look_at(&mut bench, "build");
         bench.value("kinegon.app.building.set(false)");
     }
     assert!(found.is_empty(), "{}", found.join("\n"));

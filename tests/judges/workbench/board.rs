@@ -1,212 +1,401 @@
-//! What hands do on the board besides its tools: fingers that rest and pinch, several parts at once, a photograph behind, and how it is left.
+//! The plans are drawn on the board: the velocity plan of a four-bar by mouse, by finger, by keys alone and by the list alone, in few
+//! gestures each; what is wrong is named; what is drawn is there again.
 
+use super::access;
 use super::bench::Bench;
-use super::build::{click, drag, empty, four_bar, on_screen, places, state, tool};
-use serde_json::Value;
+use serde_json::{Value, json};
 use support::files;
 
-fn count(bench: &mut Bench, pointer: &str) -> usize {
-    bench.at(pointer).as_object().map_or(0, serde_json::Map::len)
+/// Most gestures for the velocity plan of a four-bar: presses, pulls, keys, or words typed in one go.
+const MOST_GESTURES: usize = 25;
+
+/// The velocity of C of templates/four-bar.json in mm/s, from its geometry: v_C ⊥ CD, and v_C − v_B ⊥ BC.
+fn velocity_of_c() -> [f64; 2] {
+    let (sin, cos) = libm::sincos(60f64.to_radians());
+    let (b, d) = ([60.0 * cos, 60.0 * sin], [160.0, 0.0]);
+    // C is 140 from B and 110 from D, on the upper side.
+    let (way, apart) = ([d[0] - b[0], d[1] - b[1]], libm::hypot(d[0] - b[0], d[1] - b[1]));
+    let along = (140.0 * 140.0 - 110.0 * 110.0 + apart * apart) / (2.0 * apart);
+    let up = libm::sqrt(140.0 * 140.0 - along * along);
+    let unit = way.map(|part| part / apart);
+    let c = [b[0] + along * unit[0] - up * unit[1], b[1] + along * unit[1] + up * unit[0]];
+    let v_b = [-10.0 * b[1], 10.0 * b[0]];
+    // v_C = ω₃ (C − D) turned by a quarter; its part along BC is that of v_B.
+    let (bc, dc) = ([c[0] - b[0], c[1] - b[1]], [c[0] - d[0], c[1] - d[1]]);
+    let omega = (v_b[0] * bc[0] + v_b[1] * bc[1]) / (-dc[1] * bc[0] + dc[0] * bc[1]);
+    [-omega * dc[1], omega * dc[0]]
 }
 
-/// What is chosen: how many points.
-fn chosen(bench: &mut Bench) -> f64 {
-    bench.number("document.querySelectorAll('#board circle.chosen').length")
+/// A bench with the board over the page.
+fn opened(name: &str) -> Option<Bench> {
+    let mut bench = Bench::of(name, &files::read("templates/four-bar.json"))?;
+    begin(&mut bench);
+    Some(bench)
+}
+
+fn begin(bench: &mut Bench) {
+    bench.panel("check");
+    bench.click("#board-begin");
+    bench.until("document.querySelector('#board .over[data-sheet=velocity]')?.dataset.window !== undefined");
+    bench.until("document.activeElement.closest('#board') !== null");
+    bench.settle();
+}
+
+fn drawing(bench: &mut Bench) -> Value {
+    let text = bench.text("kinegon.history.now.value.drawing || '{\"did\":[]}'");
+    serde_json::from_str(&text).expect("a drawing is JSON")
+}
+
+/// What the engine says of the drawing.
+fn known(bench: &mut Bench) -> Value {
+    bench.value("kinegon.engine.board(kinegon.app.solved.value.good, kinegon.history.now.value.drawing ?? '')")
+}
+
+/// Where a thing of a sheet is, in mm of the sheet.
+fn at(bench: &mut Bench, sheet: &str, name: &str) -> [f64; 2] {
+    let known = known(bench);
+    let things = known["things"].as_array().expect("things");
+    let found = things.iter().find(|thing| thing["sheet"] == sheet && thing["name"] == name);
+    let place = &found.unwrap_or_else(|| panic!("no {name} on {sheet}: {known}"))["at"];
+    [0, 1].map(|k| place[k].as_f64().expect("a number"))
+}
+
+/// Where a place of a sheet is on the screen.
+fn on_screen(bench: &mut Bench, sheet: &str, [x, y]: [f64; 2]) -> [f64; 2] {
+    let place = bench.value(&format!(
+        "(() => {{ const e = document.querySelector('#board .over[data-sheet={sheet}]'); const [l, t, s] = JSON.parse(e.dataset.window); \
+         const r = e.getBoundingClientRect(); return [r.left + ({x} - l) * s, r.top + ({y} - t) * s]; }})()"
+    ));
+    [0, 1].map(|k| place[k].as_f64().expect("a number"))
+}
+
+/// A hand that counts what it does.
+struct Hand<'b> {
+    bench: &'b mut Bench,
+    is_finger: bool,
+    gestures: usize,
+}
+
+impl Hand<'_> {
+    fn press(&mut self, selector: &str) {
+        self.gestures += 1;
+        if self.is_finger {
+            self.bench.tap(selector);
+        } else {
+            self.bench.click(selector);
+        }
+        self.bench.settle();
+    }
+
+    fn tool(&mut self, name: &str) {
+        self.press(&format!("#board [data-tool={name}]"));
+    }
+
+    fn chip(&mut self, name: &str) {
+        self.bench.until(&format!("document.querySelector({}) !== null", json!(chip(name))));
+        self.press(&chip(name));
+    }
+
+    /// A press at a thing.
+    fn at(&mut self, sheet: &str, name: &str) {
+        let place = at(self.bench, sheet, name);
+        self.place(sheet, place);
+    }
+
+    fn place(&mut self, sheet: &str, place: [f64; 2]) {
+        self.gestures += 1;
+        let [x, y] = on_screen(self.bench, sheet, place);
+        if self.is_finger {
+            self.bench.touch(&[&[[x, y]]]);
+        } else {
+            self.bench.take_hold([x, y]);
+            self.bench.let_go([x, y]);
+        }
+        self.bench.settle();
+    }
+
+    /// The velocity plan; `coupler`: the link to which the first line is normal.
+    fn velocity_plan(&mut self, coupler: &str) {
+        self.tool("lay_off");
+        self.chip("omega(1)");
+        self.chip("L(A,B)");
+        self.at("velocity", "p");
+        self.at("scheme", "1");
+        self.chip("b");
+        self.tool("line");
+        self.at("scheme", coupler);
+        self.at("velocity", "b");
+        self.at("scheme", "3");
+        self.at("velocity", "p");
+        self.tool("cross");
+        let crossing = crossing(self.bench);
+        self.place("velocity", crossing);
+        self.chip("c");
+        self.tool("measure");
+        self.at("velocity", "b");
+        self.at("velocity", "c");
+    }
+}
+
+fn chip(name: &str) -> String {
+    format!("#board .chips [data-name=\"{name}\"]")
+}
+
+/// Where lines cross.
+fn crossing(bench: &mut Bench) -> [f64; 2] {
+    let ask = json!({ "has": { "cross": "" }, "sheet": "velocity", "at": [0, 0], "reach": 1e4 });
+    let found = bench.value(&format!(
+        "kinegon.engine.board_snap(kinegon.app.solved.value.good, kinegon.history.now.value.drawing, {ask})"
+    ));
+    [0, 1].map(|k| found[0]["at"][k].as_f64().unwrap_or_else(|| panic!("no lines cross: {found}")))
+}
+
+/// Whether the drawing is the right plan: c is where geometry has it, and every operation is right.
+fn holds(bench: &mut Bench) {
+    let known = known(bench);
+    let sheets = known["sheets"].as_array().expect("sheets");
+    let pole = &sheets.iter().find(|sheet| sheet["sheet"] == "velocity").expect("a plan")["pole"];
+    let scale = drawing(bench)["mu_v"].as_f64().expect("the drawing says its scale");
+    let c = at(bench, "velocity", "c");
+    let [x, y] =
+        [(c[0] - pole[0].as_f64().expect("a number")) * scale, (pole[1].as_f64().expect("a number") - c[1]) * scale];
+    let [v_x, v_y] = velocity_of_c();
+    assert!(libm::hypot(x - v_x, y - v_y) < 1e-6 * libm::hypot(v_x, v_y), "[{x}, {y}] for [{v_x}, {v_y}]");
+    let judged = judged(bench);
+    let verdicts = judged["entries"].as_array().expect("verdicts");
+    assert!(verdicts.iter().all(|entry| entry["verdict"] == "right" || entry["verdict"] == "unused"), "{judged}");
+    assert_eq!(judged["first_wrong"], Value::Null);
+}
+
+fn judged(bench: &mut Bench) -> Value {
+    bench.value("kinegon.engine.board_judge(kinegon.app.solved.value.good, kinegon.history.now.value.drawing)")
 }
 
 #[test]
-fn a_finger_that_rests_opens_the_menu_and_two_zoom() {
-    let Some(mut bench) = empty("board-fingers") else { return };
-    four_bar(&mut bench);
+fn a_velocity_plan_by_mouse() {
+    let Some(mut bench) = opened("board-mouse") else { return };
+    let mut hand = Hand { bench: &mut bench, is_finger: false, gestures: 0 };
+    hand.velocity_plan("2");
+    assert!(hand.gestures <= MOST_GESTURES, "{} gestures", hand.gestures);
+    holds(&mut bench);
+    bench.picture("board-mouse");
+    // What is taken back stands no longer, and comes again; nothing is taken out of the file.
+    let drawn = drawing(&mut bench)["did"].as_array().expect("entries").len();
+    bench.click("#board-undo");
+    bench.settle();
+    assert_eq!(drawing(&mut bench)["did"][drawn], json!({ "undo": 1, "t": drawing(&mut bench)["did"][drawn]["t"] }));
+    bench.click("#board-redo");
+    bench.settle();
+    holds(&mut bench);
+    // The rubber takes a thing with what hangs on it: r1, c and the measure; r2 and b stay.
+    let mut hand = Hand { bench: &mut bench, is_finger: false, gestures: 0 };
+    hand.tool("rub");
+    bench.choose("#board select[data-blank=name]", "r1");
+    bench.click("#board .strip .main");
+    bench.settle();
+    let known = known(&mut bench);
+    let left: Vec<&str> = known["things"]
+        .as_array()
+        .expect("things")
+        .iter()
+        .filter(|t| !t["entry"].is_null())
+        .filter_map(|t| t["name"].as_str())
+        .collect();
+    assert_eq!(left, ["b", "r2"]);
+    bench.assert_quiet();
+}
+
+#[test]
+fn a_velocity_plan_by_finger() {
+    let Some(mut bench) = Bench::of("board-finger", &files::read("templates/four-bar.json")) else { return };
     bench.telephone([390, 844]);
     bench.settle();
-    bench.press_named("#build .seen", "Fit");
-    tool(&mut bench, "select");
-    // Resting on C: the menu, in which it is fixed.
-    let [x, y] = on_screen(&mut bench, [140.0, 90.0]);
-    let finger = serde_json::json!([{ "x": x, "y": y, "id": 0 }]);
-    bench.call("Input.dispatchTouchEvent", serde_json::json!({ "type": "touchStart", "touchPoints": finger }));
-    bench.until("document.querySelector('.board-menu').matches(':popover-open')");
-    bench.call("Input.dispatchTouchEvent", serde_json::json!({ "type": "touchEnd", "touchPoints": [] }));
-    bench.picture("board-menu");
-    let low = bench.value("[...document.querySelectorAll('.board-menu button')].filter((e) => e.getBoundingClientRect().height < 44 || e.getBoundingClientRect().right > innerWidth).length");
-    assert_eq!(low, 0, "entries for fingers, within the screen");
-    bench.press_named(".board-menu", "Fix it");
-    assert_ne!(bench.at("/ground/C"), Value::Null, "{}", bench.scene());
-    bench.click("#undo");
-    bench.settle();
-    // Two fingers go from 80 to 160 px apart, and 30 px to the right: what was between them stays there, also where nothing is seen any more.
+    begin(&mut bench);
+    let mut hand = Hand { bench: &mut bench, is_finger: true, gestures: 0 };
+    hand.velocity_plan("2");
+    assert!(hand.gestures <= MOST_GESTURES, "{} gestures", hand.gestures);
+    holds(&mut bench);
+    bench.picture("board-finger");
+    // Two fingers zoom and draw nothing.
+    let before = drawing(&mut bench);
     let window = |bench: &mut Bench| {
-        let window = bench.value("JSON.parse(document.querySelector('#board').dataset.window)");
-        [0, 1, 2].map(|k| window[k].as_f64().expect("a number"))
+        bench.number("JSON.parse(document.querySelector('#board .over[data-sheet=velocity]').dataset.window)[2]")
     };
-    // y of the pane goes down.
-    let under = |window: [f64; 3], right: f64| [window[0] + right / window[2], window[1] - 60.0 / window[2]];
-    let [x, y, ..] = bench.place("#board");
-    let apart = |by: f64, half: f64| [[x + by - half, y + 60.0], [x + by + half, y + 60.0]];
+    let scale = window(&mut bench);
+    let [x, y, ..] = bench.place("#board .over[data-sheet=velocity]");
     let ways: Vec<[[f64; 2]; 2]> =
-        (0..=8).map(|k| apart(30.0 * f64::from(k) / 8.0, 40.0 + 5.0 * f64::from(k))).collect();
-    for _ in 0..3 {
-        let before = window(&mut bench);
-        bench.touch(&ways.iter().map(<[_; 2]>::as_slice).collect::<Vec<_>>());
-        bench.until(&format!("JSON.parse(document.querySelector('#board').dataset.window)[2] > {}", 1.97 * before[2]));
-        bench.settle();
-        let after = window(&mut bench);
-        assert!((after[2] / before[2] - 2.0).abs() < 0.02, "{before:?} {after:?}");
-        let [was, is] = [under(before, 0.0), under(after, 30.0)];
-        assert!(libm::hypot(was[0] - is[0], was[1] - is[1]) * after[2] < 1.0, "{was:?} {is:?}");
-    }
-    assert_eq!(count(&mut bench, "/links"), 3, "two fingers build nothing");
-    bench.assert_quiet();
-}
-
-#[test]
-fn several_are_copied_with_their_drives_and_removed() {
-    let Some(mut bench) = empty("board-several") else { return };
-    four_bar(&mut bench);
-    tool(&mut bench, "select");
-    // A frame, drawn with Shift, around all; what is copied is complete as its original is.
-    let [from, to] = [[-20.0, -20.0], [180.0, 110.0]].map(|place| on_screen(&mut bench, place));
-    let shift = |bench: &mut Bench, kind: &str, [x, y]: [f64; 2]| {
-        let event = serde_json::json!({ "type": kind, "x": x, "y": y, "button": "left", "buttons": 1, "clickCount": 1, "modifiers": 8 });
-        bench.call("Input.dispatchMouseEvent", event);
-    };
-    shift(&mut bench, "mousePressed", from);
-    shift(&mut bench, "mouseMoved", [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])]);
-    shift(&mut bench, "mouseMoved", to);
-    shift(&mut bench, "mouseReleased", to);
+        (0..=8).map(|k| [[x - 30.0 - 4.0 * f64::from(k), y], [x + 30.0 + 4.0 * f64::from(k), y]]).collect();
+    bench.touch(&ways.iter().map(<[_; 2]>::as_slice).collect::<Vec<_>>());
     bench.settle();
-    assert_eq!(chosen(&mut bench), 4.0);
-    let original = bench.scene();
-    bench.press("Control+c");
-    bench.press("Control+v");
-    bench.until("Object.keys(JSON.parse(kinegon.history.now.value.text).links).length === 6");
+    assert!(window(&mut bench) > 1.5 * scale);
+    assert_eq!(drawing(&mut bench), before);
+    // On the narrowest screen nothing is beyond its edge.
+    bench.telephone([320, 568]);
     bench.settle();
-    assert!(state(&mut bench).starts_with("Complete"), "{} {}", state(&mut bench), bench.scene());
-    for (own, copy) in [("1", "4"), ("2", "5"), ("3", "6")] {
-        let lengths = |bench: &mut Bench, link: &str| {
-            let table = bench.at(&format!("/links/{link}/lengths"));
-            table.as_object().expect("lengths").values().map(|length| length.as_f64()).collect::<Vec<_>>()
-        };
-        assert_eq!(lengths(&mut bench, own), lengths(&mut bench, copy), "{}", bench.scene());
-        let drives = [own, copy].map(|link| bench.at(&format!("/links/{link}/drive")));
-        assert_eq!(drives[0], drives[1]);
-    }
-    // The copy is chosen: it is dragged as one, and only it. That, and the copy, are an entry of undo each.
-    let all = places(&mut bench);
-    let copy = all.iter().find(|(name, _)| name == "F").expect("the copy of D").1;
-    drag(&mut bench, [copy.re, copy.im], [copy.re + 40.0, copy.im - 20.0]);
-    let moved = places(&mut bench);
-    for ((name, was), (_, is)) in all.iter().zip(&moved) {
-        let way = if ["A", "B", "C", "D"].contains(&name.as_str()) { [0.0, 0.0] } else { [40.0, -20.0] };
-        let off = libm::hypot(is.re - was.re - way[0], is.im - was.im - way[1]);
-        assert!(off < 0.2, "{name} went from {was} to {is}");
-    }
-    bench.picture("board-copied");
-    // Delete takes the whole copy, and the text is the original's.
-    bench.press("Delete");
-    bench.until("Object.keys(JSON.parse(kinegon.history.now.value.text).links).length === 3");
-    bench.settle();
-    let [left, was] = [bench.scene(), original.clone()].map(|text| serde_json::from_str::<Value>(&text).expect("JSON"));
-    assert_eq!(left["links"], was["links"]);
-    assert_eq!(left["ground"], was["ground"]);
-    for _ in 0..3 {
-        bench.click("#undo");
-        bench.settle();
-    }
-    assert_eq!(bench.scene(), original, "three entries: copied, moved, removed");
-    bench.assert_quiet();
-}
-
-#[test]
-fn a_photograph_lies_behind_to_scale() {
-    let Some(mut bench) = empty("board-photograph") else { return };
-    // A box for files that is asked for stays where the test reaches it.
-    bench.value("HTMLInputElement.prototype.click = function () { this.id = 'asked'; setTimeout(() => document.body.append(this)); }");
-    bench.press_named("#build", "Photograph");
-    bench.until("document.querySelector('#asked') !== null");
-    bench.give_files("#asked", &[&files::path("docs/workbench.png")]);
-    bench.until("document.querySelector('#build image') !== null");
-    // Two places of it that are 200 of its pixels apart are said to be 120 mm apart.
-    let shown = "(() => { const { left, top, width, height } = document.querySelector('#build image').getBoundingClientRect(); return [left, top, width, height]; })()";
-    let image = bench.value(shown);
-    let [left, top, width, height] = [0, 1, 2, 3].map(|k| image[k].as_f64().expect("a number"));
-    let share = [0.3, 0.6];
-    for part in share {
-        let at = [left + part * width, top + 0.5 * height];
-        bench.take_hold(at);
-        bench.let_go(at);
-        bench.settle();
-    }
-    bench.until("document.activeElement.matches('#build .length')");
-    bench.insert("twelve");
-    bench.press("Enter");
-    assert!(bench.text("document.querySelector('#said').textContent").contains("a number of mm"));
-    bench.press("Control+a");
-    bench.insert("120");
-    bench.press("Enter");
-    bench.until("document.querySelector('#build .length').hidden");
-    bench.settle();
-    let image = bench.value(shown);
-    let scale = bench.number("JSON.parse(document.querySelector('#board').dataset.window)[2]");
-    let apart = (share[1] - share[0]) * image[2].as_f64().expect("a width") / scale;
-    assert!((apart - 120.0).abs() < 0.5, "{apart} mm");
-    // What is built over it is a mechanism, and the photograph no part of it.
-    drag(&mut bench, [0.0, 0.0], [60.0, 0.0]);
-    assert_eq!(bench.at("/links/1/lengths/AB"), 60, "{}", bench.scene());
-    assert!(!bench.scene().contains("blob"), "{}", bench.scene());
-    bench.picture("board-photograph");
-    bench.press_named("#build", "Without photograph");
-    assert_eq!(bench.value("document.querySelector('#build image')"), Value::Null);
-    bench.assert_quiet();
-}
-
-#[test]
-fn what_is_only_begun_is_no_mistake() {
-    let Some(mut bench) = empty("board-begun") else { return };
-    drag(&mut bench, [0.0, 0.0], [20.0, 60.0]);
-    drag(&mut bench, [20.0, 60.0], [140.0, 90.0]);
-    // Where no point is near but the grid leads to one, that is meant.
-    tool(&mut bench, "fixed");
-    click(&mut bench, [4.9, 0.0]);
-    assert_eq!(bench.at("/ground"), serde_json::json!({ "A": [0, 0] }), "{}", bench.scene());
-    let missing = state(&mut bench);
-    assert!(missing.starts_with("Not complete yet"), "{missing}");
-    bench.click("#hand-move");
-    bench.settle();
-    assert_eq!(bench.message(), format!("{missing}Go on building"), "the same words, and a way back");
-    let red = "[document.querySelector('#message').role, document.querySelectorAll('.refusal').length, document.querySelectorAll('#message strong').length]";
-    assert_eq!(bench.value(red), serde_json::json!(["status", 0, 0]));
-    bench.picture("board-left");
-    bench.click("#message-build");
-    bench.settle();
-    assert_eq!(
-        bench.value("[kinegon.app.building.value, document.activeElement.id]"),
-        serde_json::json!([true, "board"])
+    let beyond = bench.value(
+        "[document.documentElement.scrollWidth <= innerWidth, ...[...document.querySelectorAll('#board > .head button, #board .strip > *')] \
+         .filter((e) => e.getClientRects().length > 0 && e.getBoundingClientRect().right > innerWidth).map((e) => e.id || e.className)]",
     );
-    assert_eq!(bench.message(), "");
-    // A mistake is one: there is no link of that name.
-    let scene = bench.scene().replace("\"ground\"", "\"grount\"");
-    bench.click("#hand-move");
-    bench.put(&scene);
-    assert_eq!(bench.value("document.querySelector('#message').role"), "alert");
+    assert_eq!(beyond, json!([true]));
     bench.assert_quiet();
 }
 
 #[test]
-fn what_plays_stops_where_building_begins() {
-    let Some(mut bench) = Bench::of("board-play", &files::read("templates/four-bar.json")) else { return };
-    bench.click("#play");
-    bench.until("document.querySelector('#play').ariaPressed === 'true'");
-    bench.click("#hand-build");
-    assert_eq!(bench.value("document.querySelector('#play').ariaPressed"), "false");
+fn a_velocity_plan_by_keys_alone() {
+    let Some(mut bench) = opened("board-keys") else { return };
+    let mut gestures = 0;
+    let mut press = |bench: &mut Bench, key: &str| {
+        gestures += 1;
+        bench.press(key);
+        bench.settle();
+    };
+    // Goes on with N until it is heard what is possible there.
+    let go_to = |bench: &mut Bench, press: &mut dyn FnMut(&mut Bench, &str), words: &str| {
+        for _ in 0..8 {
+            press(bench, "n");
+            let spoken = bench.text("document.querySelector('#spoken').textContent");
+            if spoken == words || spoken.ends_with(&format!(" {words}")) {
+                return press(bench, "Enter");
+            }
+        }
+        panic!("no {words}: {}", bench.text("document.querySelector('#spoken').textContent"));
+    };
+    press(&mut bench, "d");
+    bench.type_text("omega(1)*L(A,B)");
+    press(&mut bench, "Enter");
+    go_to(&mut bench, &mut press, "p");
+    go_to(&mut bench, &mut press, "1");
+    press(&mut bench, "Enter");
+    press(&mut bench, "s");
+    go_to(&mut bench, &mut press, "2");
+    go_to(&mut bench, &mut press, "b");
+    go_to(&mut bench, &mut press, "3");
+    go_to(&mut bench, &mut press, "p");
+    press(&mut bench, "p");
+    go_to(&mut bench, &mut press, "r2");
+    bench.until("document.activeElement.dataset.name === 'c'");
+    press(&mut bench, "Enter");
+    // With the words that were typed.
+    assert!(gestures < MOST_GESTURES, "{gestures} gestures");
+    holds(&mut bench);
+    bench.assert_quiet();
+}
+
+#[test]
+fn a_velocity_plan_by_the_list_alone() {
+    let Some(mut bench) = opened("board-list") else { return };
+    let mut gestures = 0;
+    let rows: [(&str, &[(&str, &str)]); 4] = [
+        ("lay_off", &[("size", "omega(1)*L(A,B)"), ("from", "p"), ("reference", "1"), ("name", "b")]),
+        ("line", &[("reference", "2"), ("through", "b")]),
+        ("line", &[("reference", "3"), ("through", "p")]),
+        ("cross", &[("first", "r1"), ("second", "r2"), ("name", "c")]),
+    ];
+    let mut tool = "";
+    for (next, blanks) in rows {
+        if tool != next {
+            bench.click(&format!("#board [data-tool={next}]"));
+            gestures += 1;
+        }
+        tool = next;
+        for (blank, value) in blanks {
+            let set = format!(
+                "(() => {{ const e = document.querySelector('#board .entry-form [data-blank={blank}]'); e.focus(); e.value = {}; \
+                 e.dispatchEvent(new Event(e.tagName === 'SELECT' ? 'change' : 'input')); return e.value; }})()",
+                json!(value)
+            );
+            assert_eq!(bench.text(&set), *value, "{next}, {blank}");
+            gestures += 1;
+        }
+        bench.click("#board .strip > .main");
+        bench.settle();
+        gestures += 1;
+    }
+    assert!(gestures <= MOST_GESTURES, "{gestures} gestures");
+    holds(&mut bench);
+    // Each is said with its numbers.
+    let rows = bench.value("[...document.querySelectorAll('#board .list .what')].map((e) => e.textContent)");
+    assert_eq!(rows.as_array().map(Vec::len), Some(4), "{rows}");
+    // What cannot be is not written, and it is said why.
+    bench.click("#board [data-tool=compute]");
+    bench.fill("#board [data-blank=name]", "x1");
+    bench.fill("#board [data-blank=as]", "2*unknown");
+    bench.click("#board .strip > .main");
     bench.settle();
-    let scene = bench.scene();
-    bench.value("new Promise((done) => setTimeout(done, 300))");
-    assert_eq!(bench.scene(), scene, "nothing moves behind the board");
-    // At once the keys are the board's.
-    bench.press(" ");
+    assert_eq!(drawing(&mut bench)["did"].as_array().map(Vec::len), Some(4));
+    assert!(bench.text("document.querySelector('#board .says.bad').textContent").contains("unknown"));
+    bench.assert_quiet();
+}
+
+#[test]
+fn the_first_wrong_operation_is_named_and_hints_are_counted() {
+    let Some(mut bench) = opened("board-wrong") else { return };
+    bench.click("#board-hint");
     bench.settle();
-    assert_eq!(bench.value("document.querySelector('#play').ariaPressed"), "false");
+    assert_ne!(bench.text("document.querySelector('#board .says').textContent"), "");
+    assert_eq!(drawing(&mut bench)["hints"], 1);
+    let mut hand = Hand { bench: &mut bench, is_finger: false, gestures: 0 };
+    // The line through b is normal to the crank in place of the coupler.
+    hand.velocity_plan("1");
+    bench.click("#board-check");
+    bench.settle();
+    assert_eq!(judged(&mut bench)["first_wrong"], 1);
+    assert_eq!(
+        bench.value("[...document.querySelectorAll('#board .list li')].findIndex((e) => e.matches('.first'))"),
+        1
+    );
+    bench.picture("board-wrong");
+    // It is kept.
+    bench.value("new Promise((done) => setTimeout(done, 500))");
+    let before = drawing(&mut bench);
+    bench.load("");
+    begin(&mut bench);
+    assert_eq!(drawing(&mut bench), before);
+    // As a student's exam nothing is told of it, and the file is handed in.
+    let use_ = json!({ "mode": "exam", "snap": "all", "at_once": false });
+    bench.value(&format!("kinegon.app.board.set({use_})"));
+    assert_eq!(
+        bench.value("['#board-hint', '#board-check'].map((id) => document.querySelector(id).hidden)"),
+        json!([true, true])
+    );
+    let (name, bytes) = bench.saved(|browser| browser.click("#board-hand-in"));
+    assert!(name.ends_with("-drawing.json"), "{name}");
+    assert_eq!(serde_json::from_slice::<Value>(&bytes).expect("JSON"), drawing(&mut bench));
+    // Replayed, it is shown as far as the slider says.
+    bench.value("kinegon.app.board.set(null)");
+    bench.click("#board-more");
+    bench.press_named("#board-files", "Replay");
+    bench.settle();
+    assert_eq!(bench.text("document.querySelector('#board .replay output').textContent").split(' ').next(), Some("0"));
+    bench.focus("#board .replay input");
+    bench.press("ArrowRight");
+    bench.settle();
+    assert_eq!(bench.value("document.querySelectorAll('#board .list li').length"), 1);
+    bench.assert_quiet();
+}
+
+#[test]
+fn axe_finds_nothing_on_the_board() {
+    let Some(axe) = access::axe() else { return };
+    let Some(mut bench) = opened("board-axe") else { return };
+    bench.value(&axe);
+    let mut hand = Hand { bench: &mut bench, is_finger: false, gestures: 0 };
+    hand.velocity_plan("1");
+    bench.click("#board-check");
+    let mut found = Vec::new();
+    for (look, is_small) in [("light", false), ("dark", false), ("light", true)] {
+        bench.media("", &[("prefers-color-scheme", look), ("prefers-reduced-motion", "reduce")]);
+        if is_small {
+            bench.telephone([360, 640]);
+        }
+        for tool in ["lay_off", "line", "join", "cross", "like", "measure", "compute", "solve", "rub"] {
+            bench.value(&format!("document.querySelector('#board [data-tool={tool}]').click()"));
+            bench.settle();
+            bench.picture(&format!("board-{look}-{tool}{}", if is_small { "-small" } else { "" }));
+            let violations = bench.value(&access::run("{}"));
+            found.extend(violations.as_array().expect("a list").iter().map(|v| format!("{look}, {tool}: {v}")));
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
     bench.assert_quiet();
 }

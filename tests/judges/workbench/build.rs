@@ -1,4 +1,4 @@
-//! A mechanism is put together on the board, from nothing, and changed.
+//! A mechanism is put together in Build, from nothing, and changed.
 
 use super::bench::Bench;
 use nalgebra::Complex;
@@ -6,9 +6,9 @@ use serde_json::{Value, json};
 
 /// Where a place of the scene is on the screen.
 pub fn on_screen(bench: &mut Bench, [x, y]: [f64; 2]) -> [f64; 2] {
-    let window = bench.value("JSON.parse(document.querySelector('#board').dataset.window)");
+    let window = bench.value("JSON.parse(document.querySelector('#build-stage').dataset.window)");
     let [centre_x, centre_y, scale] = [0, 1, 2].map(|k| window[k].as_f64().expect("a number"));
-    let [middle_x, middle_y, ..] = bench.place("#board");
+    let [middle_x, middle_y, ..] = bench.place("#build-stage");
     [middle_x + (x - centre_x) * scale, middle_y - (y - centre_y) * scale]
 }
 
@@ -31,7 +31,7 @@ pub fn tool(bench: &mut Bench, name: &str) {
     bench.settle();
 }
 
-/// A bench with an empty board.
+/// A bench with an empty stage.
 pub fn empty(name: &str) -> Option<Bench> {
     let mut bench = Bench::open(name)?;
     bench.panel("mechanism");
@@ -39,11 +39,11 @@ pub fn empty(name: &str) -> Option<Bench> {
     Some(bench)
 }
 
-/// Begins with an empty board; the panel of the mechanism is open.
+/// Begins with an empty stage; the panel of the mechanism is open.
 pub fn begin(bench: &mut Bench) {
     bench.press_named("#panel-mechanism", "New, empty");
     bench.until(
-        "document.querySelector('#board').dataset.window !== undefined && document.activeElement.id === 'board'",
+        "document.querySelector('#build-stage').dataset.window !== undefined && document.activeElement.id === 'build-stage'",
     );
     bench.settle();
 }

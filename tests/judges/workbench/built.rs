@@ -1,4 +1,4 @@
-//! Eight mechanisms are built on the board from nothing: by mouse, by finger, by keys alone. What is saved stands and moves as the geometry
+//! Eight mechanisms are built in Build from nothing: by mouse, by finger, by keys alone. What is saved stands and moves as the geometry
 //! that was meant does, by equations of this file's own: places by crossings of circles and lines, rates by differences of places.
 
 use super::bench::Bench;
@@ -427,7 +427,7 @@ fn by_keys_they_are_what_was_meant() {
     bench.assert_quiet();
 }
 
-/// Another empty board, with the choices of a first one.
+/// Another empty stage, with the choices of a first one.
 fn begin(bench: &mut Bench) {
     bench.value("kinegon.app.show('mechanism')");
     super::build::begin(bench);
@@ -437,5 +437,5 @@ fn begin(bench: &mut Bench) {
         tool(bench, "along");
         tool(bench, "link");
     }
-    bench.value("document.querySelector('#board').focus()");
+    bench.value("document.querySelector('#build-stage').focus()");
 }

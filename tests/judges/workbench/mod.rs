@@ -6,6 +6,7 @@ mod access;
 mod bench;
 mod board;
 mod build;
+mod build_hands;
 mod built;
 mod bytes;
 mod course;

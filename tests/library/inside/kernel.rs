@@ -50,7 +50,7 @@ fn bits<R: Row>(block: &Block<R>) -> Vec<u64> {
 fn common_groups_have_their_shapes() {
     for name in ["examples/figure-2.json", "templates/four-bar.json"] {
         let (kernel, mut one, _) = moved(&files::read(name));
-        assert!(kernel.begin_motions(OneByOne, &mut one, SURE).is_all(), "{name}");
+        assert!(kernel.begin_motions(OneByOne, &mut one, SURE, 1).is_all(), "{name}");
     }
 }
 
@@ -69,7 +69,7 @@ fn at_once_has_the_bits_of_one_after_the_other() {
         kernel.rates_many(Level::new(), &mut expected);
         for level in [Level::new(), Level::baseline()] {
             let mut block = many.clone();
-            let begun = dispatch!(level, simd => kernel.begin_motions(Registers::<_, 2>(simd), &mut block, SURE));
+            let begun = dispatch!(level, simd => kernel.begin_motions(Registers::<_, 2>(simd), &mut block, SURE, 1));
             assert!(kernel.finish_motions(level, &mut block, SURE, begun).closed, "{name}");
             assert_eq!(bits(&block), bits(&expected), "{name} {level:?}");
             kernel.rates_many(level, &mut block);

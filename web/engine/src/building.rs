@@ -1,4 +1,4 @@
-//! A mechanism that is being put together, on the page's board.
+//! A mechanism that is being put together, in the page's hand Build.
 
 use crate::answers::Pane;
 use crate::refused::Refused;
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 /// What of the mechanism is seen.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-pub struct BoardView {
+pub struct DraftedView {
     /// The part of the screen.
     pub pane: Pane,
     /// The place of the mechanism in its middle, in units of length.
@@ -20,7 +20,7 @@ pub struct BoardView {
 
 /// What is known of a mechanism, complete or not, with its picture.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Board {
+pub struct Drafted {
     /// The picture.
     pub svg: String,
     /// Width of the picture in mm.
@@ -28,16 +28,16 @@ pub struct Board {
     /// Height of the picture in mm.
     pub height: f64,
     /// The points whose places are known.
-    pub points: Vec<BoardPoint>,
+    pub points: Vec<DraftedPoint>,
     /// The sliders, in the order of the scene.
-    pub sliders: Vec<BoardSlider>,
+    pub sliders: Vec<DraftedSlider>,
     /// Whether the mechanism is complete: it has a position.
     pub is_complete: bool,
 }
 
-/// A point on the board.
+/// A point of it.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct BoardPoint {
+pub struct DraftedPoint {
     /// Its name.
     pub name: String,
     /// Its place, in units of length.
@@ -46,9 +46,9 @@ pub struct BoardPoint {
     pub is_fixed: bool,
 }
 
-/// A slider on the board.
+/// A slider of it.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct BoardSlider {
+pub struct DraftedSlider {
     /// The unit direction of its guide; none where that is not known.
     pub along: Option<[f64; 2]>,
     /// How far it is along its guide now, in units of length; none where that is not known.
@@ -58,26 +58,26 @@ pub struct BoardSlider {
 /// Points that are to be elsewhere.
 pub type Moves = Vec<PlacedPoint>;
 
-/// The board of a scene's text.
-pub fn board(text: &str, view: &BoardView) -> Result<Board, Refused> {
+/// What is known of the mechanism of a scene's text.
+pub fn drafted(text: &str, view: &DraftedView) -> Result<Drafted, Refused> {
     let draft = Draft::of(text).map_err(|error| Refused::of(text, error))?;
     let scale = if view.scale > 0.0 && view.scale.is_finite() { view.scale } else { 1.0 };
     let drawing = drawing::draft(&draft, &DraftView { pane: view.pane.into(), centre: view.centre, scale });
     let slider = |slider: &DraftSlider| {
         let place = draft.points.get(&slider.at).map(|point| point.at);
-        BoardSlider {
+        DraftedSlider {
             along: slider.guide.map(|guide| guide.along.into()),
             position: slider.guide.zip(place).map(|(guide, place)| (place - guide.through).dot(&guide.along)),
         }
     };
-    Ok(Board {
+    Ok(Drafted {
         svg: drawing.svg(),
         width: drawing.width,
         height: drawing.height,
         points: draft
             .points
             .iter()
-            .map(|(name, point)| BoardPoint { name: name.clone(), at: point.at.into(), is_fixed: point.is_fixed })
+            .map(|(name, point)| DraftedPoint { name: name.clone(), at: point.at.into(), is_fixed: point.is_fixed })
             .collect(),
         sliders: draft.sliders.iter().map(slider).collect(),
         is_complete: draft.is_complete,

@@ -6,6 +6,8 @@
 
 mod answers;
 #[cfg(feature = "workbench")]
+mod board;
+#[cfg(feature = "workbench")]
 mod building;
 mod checks;
 mod desk;

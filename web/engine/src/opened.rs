@@ -25,9 +25,9 @@ impl Desk {
             None => (steps(solution, &words), solution.construction.passages()),
             Some(_) => (Vec::new(), Vec::new()),
         };
-        let teller = Teller::new(solution, &words);
+        let teller = Teller::shown(solution, &words);
         let captions = passages.iter().map(|passage| {
-            let plan = solution.construction.steps_of(passage).next().and_then(|step| step.plan);
+            let plan = solution.shown_construction().steps_of(passage).next().and_then(|step| step.plan);
             shown_text(&teller.passage_caption(passage), plan, &words)
         });
         let (scene, mechanism) = (&solution.scene, &solution.mechanism);
@@ -105,7 +105,7 @@ fn quantity(name: &str, mechanism: &Mechanism) -> Quantity {
 
 /// The steps of the construction.
 fn steps(solution: &Solution, words: &Wording) -> Vec<Step> {
-    let teller = Teller::new(solution, words);
+    let teller = Teller::shown(solution, words);
     let equations = |step: &NumberedStep<'_>| match &step.action {
         Action::Solve { equations, .. } => equations.iter().map(|equation| teller.equation(equation)).collect(),
         _ => vec![teller.formula(step).markup()],
@@ -122,5 +122,5 @@ fn steps(solution: &Solution, words: &Wording) -> Vec<Step> {
             panel: step.sheet,
         }
     };
-    solution.construction.numbered_steps().zip(format::step_values(solution)).map(step).collect()
+    solution.shown_construction().numbered_steps().zip(format::step_values(solution)).map(step).collect()
 }

@@ -1,5 +1,6 @@
 use crate::answers::{Opened, Picture, Running, ValueRow, View};
-use crate::building::{Board, BoardView};
+use crate::board::{BoardJudged, BoardPicture, BoardPictureAsk};
+use crate::building::{Drafted, DraftedView};
 use crate::checks::{CheckOptions, Checked};
 use crate::exercises::{Exercise, ExerciseOptions};
 use crate::files::{Drawn, FileRequest, OverCycle};
@@ -9,6 +10,7 @@ use crate::kinds::Kind;
 use crate::modes::{Mode, Place};
 use crate::photo_answers::{PhotoRead, PlacedPoint, PointVerdict, Proposed, Tapped};
 use crate::refused::Told;
+use kinegon::board::{Board, BoardHint, Pressed, Snapped};
 use kinegon::editing::Edit;
 use kinegon::{Order, Scene, Sheet};
 use schemars::generate::SchemaSettings;
@@ -38,7 +40,8 @@ pub fn schema() -> Value {
         Drawn,
         ValueRow
     );
-    add!(Board, BoardView);
+    add!(Drafted, DraftedView);
+    add!(Board, Pressed, Snapped, BoardPicture, BoardPictureAsk, BoardJudged, BoardHint);
     add!(Form, Checked, CheckOptions, Exercise, ExerciseOptions);
     add!(PhotoRead, Tapped, PlacedPoint, PointVerdict, Proposed);
     let mut definitions = types.take_definitions(true);

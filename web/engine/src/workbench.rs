@@ -4,7 +4,7 @@ use crate::desk::Desk;
 use crate::exercises::Series;
 use crate::photo::Photograph;
 use crate::refused::Refused;
-use crate::{Engine, answer, asked, building, exercises, json, kinds, modes, photo, plain, told};
+use crate::{Engine, answer, asked, board, building, exercises, json, kinds, modes, photo, plain, told};
 use kinegon::editing::{self, Edit};
 use kinegon::exercise::{self, Exercise};
 use kinegon::format::pdf_pages;
@@ -17,6 +17,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub struct Own {
     series: Option<Series>,
     photo: Option<Photograph>,
+    board: board::Kept,
 }
 
 #[wasm_bindgen]
@@ -94,8 +95,8 @@ impl Engine {
     ///
     /// # Errors
     /// A [`Refused`] as JSON.
-    pub fn board(&self, text: &str, view: &str) -> Result<String, String> {
-        answer(self.desk.language(), asked(view).and_then(|view| building::board(text, &view)))
+    pub fn drafted(&self, text: &str, view: &str) -> Result<String, String> {
+        answer(self.desk.language(), asked(view).and_then(|view| building::drafted(text, &view)))
     }
 
     /// The scene's text after some changes, with all points where they were, also where it is not complete.
@@ -112,6 +113,82 @@ impl Engine {
     /// A [`Refused`] as JSON.
     pub fn move_points(&self, text: &str, moves: &str) -> Result<String, String> {
         plain(self.desk.language(), asked(moves).and_then(|moves| building::moved(text, &moves)))
+    }
+}
+
+/// The drawing board.
+#[wasm_bindgen]
+impl Engine {
+    /// A drawing on its board; of no text an empty one.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn board(&mut self, text: &str, drawing: &str) -> Result<String, String> {
+        let board = self.own.board.board(&mut self.desk, text, drawing);
+        answer(self.desk.language(), board)
+    }
+
+    /// What a press on a sheet may mean, the nearest first.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn board_snap(&mut self, text: &str, drawing: &str, pressed: &str) -> Result<String, String> {
+        let found = asked(pressed).and_then(|pressed| self.own.board.snap(&mut self.desk, [text, drawing], &pressed));
+        answer(self.desk.language(), found)
+    }
+
+    /// A sheet of a drawing as a picture.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn board_picture(&mut self, text: &str, drawing: &str, of: &str) -> Result<String, String> {
+        let picture = asked(of).and_then(|of| self.own.board.picture(&mut self.desk, [text, drawing], &of));
+        answer(self.desk.language(), picture)
+    }
+
+    /// The verdicts on a drawing's entries.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn board_judge(&mut self, text: &str, drawing: &str) -> Result<String, String> {
+        let judged = self.own.board.judge(&mut self.desk, text, drawing);
+        answer(self.desk.language(), judged)
+    }
+
+    /// A hint of a stage, from 1: about the first wrong entry, or about what comes next.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn board_hint(&mut self, text: &str, drawing: &str, stage: f64) -> Result<String, String> {
+        let hint = self.own.board.hint(&mut self.desk, [text, drawing], stage);
+        answer(self.desk.language(), hint)
+    }
+
+    /// The form of measured values that a drawing gives.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn board_form(&mut self, text: &str, drawing: &str) -> Result<String, String> {
+        let form = self.own.board.form(&mut self.desk, text, drawing);
+        plain(self.desk.language(), form)
+    }
+
+    /// Kinegon's own construction as a drawing.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn board_own(&mut self, text: &str) -> Result<String, String> {
+        let own = self.own.board.own(&mut self.desk, text);
+        plain(self.desk.language(), own)
+    }
+
+    /// The plans of a drawing on sheets of paper, with markers, as one PDF; `name` is that of the exercise.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn board_sheets(&mut self, text: &str, drawing: &str, name: &str) -> Result<Vec<u8>, String> {
+        let sheets = self.own.board.sheets(&mut self.desk, [text, drawing, name]);
+        plain(self.desk.language(), sheets)
     }
 }
 

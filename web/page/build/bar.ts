@@ -1,4 +1,4 @@
-/** The tools above the board, and the line below it: what to do, and what is missing. */
+/** The tools above the stage, and the line below it: what to do, and what is missing. */
 import type { App } from "../app.ts";
 import { element } from "../dom/element.ts";
 import { radios } from "../dom/radios.ts";
@@ -16,11 +16,11 @@ import { say, type Saying } from "./words.ts";
 
 const PICTURES = "image/*";
 
-/** One of several, as buttons; `key` is that which chooses it on the board. */
+/** One of several, as buttons; `key` is that which chooses it on the stage. */
 function choice<Value extends string>(values: readonly Value[], called: (value: Value) => Saying, name: Saying, key: (index: number) => string, choose: (value: Value) => unknown): { root: HTMLElement; mark(now: Value): void } {
   const buttons = values.map((value) => {
     const button = worded(element("button", { type: "button", role: "radio", "data-value": value, onclick: () => choose(value) }), () => say(called(value)));
-    // A tap right after a drag on the board may come without a click.
+    // A tap right after a drag on the stage may come without a click.
     button.addEventListener("pointerup", ({ pointerType }) => pointerType === "touch" && choose(value));
     return button;
   });
@@ -40,7 +40,7 @@ function choice<Value extends string>(values: readonly Value[], called: (value: 
   };
 }
 
-/** The rows of tools; `back` gives the focus back to the board. */
+/** The rows of tools; `back` gives the focus back to the stage. */
 export function toolRows(app: App, model: Model, back: () => void): HTMLElement {
   const then = (act: () => void) => (): void => {
     act();

@@ -1,4 +1,4 @@
-/** The third hand: a mechanism is put together, and changed, on a board in place of the picture, also while it is not complete. */
+/** The third hand: a mechanism is put together, and changed, in place of the picture, also while it is not complete. */
 import type { App } from "../app.ts";
 import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
@@ -9,10 +9,10 @@ import { stage } from "./stage.ts";
 
 export function build(app: App): void {
   const own = model(app);
-  const back = (): void => board.focus();
+  const back = (): void => table.focus();
   const small = menu(app, own, back);
   const field = element("div", { class: "field" });
-  const board = stage(app, own, field, small.open);
+  const table = stage(app, own, field, small.open);
   const root = element("section", { id: "build", class: "floating", hidden: true }, toolRows(app, own, back), field, stateLine(app, own), small.root);
   byId("pane").append(root);
 
@@ -25,20 +25,20 @@ export function build(app: App): void {
     await own.fresh();
     own.fit();
     isFitted = true;
-    const isEmpty = (own.shown.value?.board.points.length ?? 0) === 0;
+    const isEmpty = (own.shown.value?.drafted.points.length ?? 0) === 0;
     own.tool.set(isEmpty ? "link" : "select");
-    board.begin();
+    table.begin();
   }
 
   app.building.on((is) => {
     document.body.classList.toggle("building", is);
     root.hidden = !is;
-    board.cancel();
+    table.cancel();
     own.chosen.set(NOTHING);
     isFitted = false;
     if (!is) return;
-    // At once: keys are the board's from here on.
-    board.focus();
+    // At once: keys are the stage's from here on.
+    table.focus();
     void enter();
   });
   // Another mechanism in place of the one that was there is looked for; what is built stays where it is, and so does who looks elsewhere.
@@ -50,7 +50,7 @@ export function build(app: App): void {
     const now = [width, height, shown.text].join();
     if (now === seen) return;
     seen = now;
-    const places = placesIn(shown.board);
+    const places = placesIn(shown.drafted);
     const isOther = before.size > 0 && places.size > 0 && ![...places.keys()].some((name) => before.has(name));
     const isAway = places.size > 0 && ![...places.values()].some((place) => own.sight.holds(place));
     before = new Set(places.keys());

@@ -5,7 +5,7 @@ import { at, entries, groundOf, isDrawn, joined, linksOf, pointsOn, slidersOf, t
 import type { Present } from "./tools.ts";
 import { short, type Place } from "./sight.ts";
 
-/** What is chosen on the board. */
+/** What is chosen on the stage. */
 export interface Chosen {
   points: ReadonlySet<string>;
   links: ReadonlySet<string>;

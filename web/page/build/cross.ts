@@ -1,4 +1,4 @@
-/** The cross on the board, which keys move in place of a pointer. */
+/** The cross on the stage, which keys move in place of a pointer. */
 import { svgElement } from "../dom/element.ts";
 import { linksOf, type Draft } from "../panels/parts/scene.ts";
 import { placesOf, type Places } from "./hit.ts";

@@ -34,7 +34,7 @@ export interface Photograph {
   pixel: number;
 }
 
-/** The picture in a file, as large as the board shows it whole. */
+/** The picture in a file, as large as the stage shows it whole. */
 export async function photographed(file: Blob, sight: Sight): Promise<Photograph> {
   const address = URL.createObjectURL(file);
   const image = new Image();

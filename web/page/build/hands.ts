@@ -1,6 +1,6 @@
-/** Mouse, pen and fingers on the board. */
+/** Mouse, pen and fingers on the stage. */
 import type { App } from "../app.ts";
-import { fingers } from "../dom/fingers.ts";
+import { fingers } from "../look/fingers.ts";
 import { clicked, isChosen, only, pointsOfChosen, reveal, toggled, went } from "./acting.ts";
 import { NOTHING, type Held, type Model } from "./model.ts";
 import type { Pixels, Place } from "./sight.ts";
@@ -26,7 +26,7 @@ interface Pressed {
 
 /** What the stage shows of it. */
 export interface Hands {
-  /** Where the pointer is; null away from the board. */
+  /** Where the pointer is; null away from the stage. */
   at(): Pixels | null;
   /** What a tool goes from, and where it has come to; null where none is under way. */
   line(): { from: Press; to: Press } | null;

@@ -1,4 +1,4 @@
-/** What is at a place of the board. */
+/** What is at a place of the stage. */
 import { linksOf, pointsOn, type Draft } from "../panels/parts/scene.ts";
 import type { Place } from "./sight.ts";
 

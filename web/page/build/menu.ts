@@ -13,9 +13,9 @@ export interface Menu {
   open(press: Press, at: Pixels): void;
 }
 
-/** `back` gives the focus back to the board. */
+/** `back` gives the focus back to the stage. */
 export function menu(app: App, model: Model, back: () => void): Menu {
-  const root = element("div", { class: "board-menu", popover: "manual", role: "menu" });
+  const root = element("div", { class: "build-menu", popover: "manual", role: "menu" });
   // Not dismissed by itself: a finger that opens it by resting is lifted outside it.
   document.addEventListener("pointerdown", ({ target }) => root.matches(":popover-open") && !root.contains(target as Node) && root.hidePopover(), { capture: true });
 
@@ -85,7 +85,7 @@ export function menu(app: App, model: Model, back: () => void): Menu {
     open(press, [x, y]) {
       if (!isChosen(model.chosen.value, press)) model.chosen.set(only(press));
       root.replaceChildren(...entries(press));
-      const { left, top } = root.parentElement!.querySelector("#board")!.getBoundingClientRect();
+      const { left, top } = root.parentElement!.querySelector("#build-stage")!.getBoundingClientRect();
       root.showPopover();
       const { offsetWidth, offsetHeight } = root;
       root.style.left = `${Math.max(4, Math.min(left + x, innerWidth - offsetWidth - 4))}px`;

@@ -1,6 +1,6 @@
 /** What is being built: the tool, what is chosen, the mechanism as far as it is known, and the changes that hands make. */
 import type { App } from "../app.ts";
-import type { Board } from "../engine/types.ts";
+import type { Drafted } from "../engine/types.ts";
 import { edit } from "../panels/parts/edits.ts";
 import { newId } from "../panels/parts/fields.ts";
 import { parsed, unitsOf } from "../panels/parts/scene.ts";
@@ -19,7 +19,7 @@ import { say } from "./words.ts";
 export interface Shown {
   text: string;
   at: Sighted;
-  board: Board;
+  drafted: Drafted;
 }
 
 /** Points that are held and moved together. */
@@ -48,7 +48,7 @@ export interface Model {
   copied: Copied | null;
   /** What is there by now; null where the text is no scene at all. */
   present(): Present | null;
-  /** Waits until the board shows the text as it is. */
+  /** Waits until the stage shows the text as it is. */
   fresh(): Promise<void>;
   /** Does it after all that was begun before: however quick hands are, each act finds what the one before has made. */
   inTurn(act: () => unknown): Promise<void>;
@@ -70,8 +70,8 @@ const SAME = 0.05;
 /** Half the width of a block, in the height of letters. */
 const BLOCK = 0.8;
 
-export function placesIn(board: Board): Places {
-  return new Map(board.points.map(({ name, at }): [string, Place] => [name, at]));
+export function placesIn(drafted: Drafted): Places {
+  return new Map(drafted.points.map(({ name, at }): [string, Place] => [name, at]));
 }
 
 export function model(app: App): Model {
@@ -86,8 +86,8 @@ export function model(app: App): Model {
   const drawing = newest(async ({ text, at }: { text: string; at: Sighted }) => {
     const { width, height } = own.size;
     try {
-      const board = await app.engine.board(text, { pane: { width, height, letters: letters(), words: false }, centre: [...at.centre], scale: at.scale });
-      shown.set({ text, at, board });
+      const drafted = await app.engine.drafted(text, { pane: { width, height, letters: letters(), words: false }, centre: [...at.centre], scale: at.scale });
+      shown.set({ text, at, drafted });
       if (preview === null) note.set("");
     } catch (refused) {
       note.set(said(refused));
@@ -99,7 +99,7 @@ export function model(app: App): Model {
 
   function present(): Present | null {
     const scene = parsed(app.history.now.value.text);
-    return scene === null || shown.value === null ? null : { scene, board: shown.value.board, places: placesIn(shown.value.board) };
+    return scene === null || shown.value === null ? null : { scene, drafted: shown.value.drafted, places: placesIn(shown.value.drafted) };
   }
 
   async function fresh(): Promise<void> {

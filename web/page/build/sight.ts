@@ -32,7 +32,7 @@ export interface Sight {
 
 /** Least distance of the grid's lines, in pixels. */
 const APART = 13;
-/** White on each side of what is fitted: in pixels, and at most in parts of the board. */
+/** White on each side of what is fitted: in pixels, and at most in parts of the stage. */
 const [WHITE, SHARE] = [70, 0.12];
 
 export function sight(): Sight {

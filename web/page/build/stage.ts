@@ -1,13 +1,13 @@
-/** The board itself: what lies behind, the engine's picture of the mechanism, and over it what hands and keys are about to do. */
+/** The stage itself: what lies behind, the engine's picture of the mechanism, and over it what hands and keys are about to do. */
 import type { App } from "../app.ts";
 import { svgElement } from "../dom/element.ts";
 import { name } from "../layout/say.ts";
 import { isDark } from "../layout/theme.ts";
 import { unitsOf } from "../panels/parts/scene.ts";
 import { forDark } from "../picture/dark.ts";
-import { fill } from "../picture/sheet.ts";
+import { fill, withoutPaper } from "../picture/sheet.ts";
 import { language } from "../words.ts";
-import { boardKeys } from "./board_keys.ts";
+import { buildKeys } from "./keys.ts";
 import { crossShape } from "./cross.ts";
 import { gridShapes, lineShapes, photoShape } from "./ground.ts";
 import { hands } from "./hands.ts";
@@ -17,9 +17,6 @@ import type { Pixels, Place } from "./sight.ts";
 import { degrees, type Press } from "./tools.ts";
 import { say } from "./words.ts";
 
-/** The white of the sheet: behind the mechanism are grid and photograph. */
-const WHITE = /<rect [^>]*fill="#ffffff"[^>]*\/>/;
-
 export interface Stage {
   focus(): void;
   /** Keys begin where something is to be seen. */
@@ -28,12 +25,12 @@ export interface Stage {
   cancel(): boolean;
 }
 
-/** Fills `field` with the board. */
+/** Fills `field` with the stage. */
 export function stage(app: App, model: Model, field: HTMLElement, menu: (press: Press, at: Pixels) => void): Stage {
   const { sight } = model;
   const behind = svgElement("svg", { class: "behind", "aria-hidden": "true" });
   const picture = svgElement("svg", { class: "drawn", "aria-hidden": "true" });
-  const over = svgElement("svg", { id: "board", class: "over", tabindex: 0, role: "application" });
+  const over = svgElement("svg", { id: "build-stage", class: "over", tabindex: 0, role: "application" });
   field.append(behind, picture, over);
 
   function ground(): void {
@@ -45,10 +42,11 @@ export function stage(app: App, model: Model, field: HTMLElement, menu: (press: 
 
   function drawn(shown: Shown | null): void {
     if (shown === null) return picture.replaceChildren();
-    const svg = shown.board.svg.replace(WHITE, "");
+    // Behind the mechanism are grid and photograph.
+    const svg = withoutPaper(shown.drafted.svg);
     fill(picture, isDark.value ? forDark(svg) : svg);
-    picture.setAttribute("viewBox", `0 0 ${shown.board.width} ${shown.board.height}`);
-    name(over as unknown as HTMLElement, say("board", { count: shown.board.points.length }));
+    picture.setAttribute("viewBox", `0 0 ${shown.drafted.width} ${shown.drafted.height}`);
+    name(over as unknown as HTMLElement, say("stage", { count: shown.drafted.points.length }));
     look();
   }
 
@@ -65,7 +63,7 @@ export function stage(app: App, model: Model, field: HTMLElement, menu: (press: 
   const marks = (): SVGElement[] => {
     const shown = model.shown.value;
     if (shown === null) return [];
-    const places = placesIn(shown.board);
+    const places = placesIn(shown.drafted);
     const scene = model.present()?.scene ?? {};
     const { points, links } = model.chosen.value;
     const ring = (place: Place, kind: string): SVGElement => {
@@ -119,9 +117,9 @@ export function stage(app: App, model: Model, field: HTMLElement, menu: (press: 
     });
   }
   const moving = hands(app, model, over, menu, draw);
-  const keyed = boardKeys(app, model, over, menu, draw, moving.cancel);
+  const keyed = buildKeys(app, model, over, menu, draw, moving.cancel);
 
-  /** Where the middle of the board was on the screen: rows of tools that come and go move the board, not the mechanism. */
+  /** Where the middle of the stage was on the screen: rows of tools that come and go move the stage, not the mechanism. */
   let middle: Pixels | null = null;
   new ResizeObserver(() => {
     const { left, top, width, height } = field.getBoundingClientRect();

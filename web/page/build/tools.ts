@@ -1,5 +1,5 @@
 /** What the tools do, from where they are pressed to where they are let go: changes of the scene. */
-import type { Board, Edit } from "../engine/types.ts";
+import type { Drafted, Edit } from "../engine/types.ts";
 import { freeLink, freePoint } from "../panels/mechanism/free_name.ts";
 import { at, groundOf, isDrawn, joined, linksOf, pointsOn, slidersOf, type Draft } from "../panels/parts/scene.ts";
 import { onLink, type Places } from "./hit.ts";
@@ -47,7 +47,7 @@ export interface Press {
 export interface Present {
   scene: Draft;
   places: Places;
-  board: Board;
+  drafted: Drafted;
 }
 
 /** The changes that follow; a word of the page where there are none, because something is not there that is needed, or is there already. */
@@ -171,12 +171,12 @@ function within(angle: number): number {
 }
 
 /** The direction of a link's axis, in degrees: between its first points, or along the guide of a block. */
-function axisOf({ scene, places, board }: Present, link: string): number {
+function axisOf({ scene, places, drafted }: Present, link: string): number {
   const [from, to] = pointsOn(scene, link).map((name) => places.get(name));
   if (from !== undefined && to !== undefined) return degrees(from, to);
   const sliders = slidersOf(scene);
   const index = sliders.findIndex((slider) => at(slider, ["link"]) === link);
-  const along = board.sliders[index]?.along;
+  const along = drafted.sliders[index]?.along;
   return along == null ? 0 : degrees([0, 0], along as Place) + Number(at(sliders[index], ["turned"]) ?? 0);
 }
 
@@ -213,7 +213,7 @@ function cylinder(present: Present, from: Press, to: Press): Follows {
 }
 
 /** A drive, or none where there was one: it turns a link about its fixed point, pushes a block along its guide. */
-function driven({ scene, places, board }: Present, what: Press): Follows {
+function driven({ scene, places, drafted }: Present, what: Press): Follows {
   const sliders = slidersOf(scene);
   const points = pointsOn(scene, what.link ?? "");
   const pivot = points.find((name) => groundOf(scene).includes(name));
@@ -237,6 +237,6 @@ function driven({ scene, places, board }: Present, what: Press): Follows {
   const all = [...places.values()];
   const size = Math.max(0, ...all.map(([x, y]) => Math.hypot(x - all[0]![0], y - all[0]![1])));
   const speed = Number((size / 5 || 100).toPrecision(1));
-  const position = short(Number((board.sliders[index]?.position ?? 0).toPrecision(6)));
+  const position = short(Number((drafted.sliders[index]?.position ?? 0).toPrecision(6)));
   return [{ set: ["sliders", index, "drive"], value: isDrawn(scene) ? { speed } : { position, speed } }];
 }

@@ -1,6 +1,7 @@
+import type { Board, BoardHint, BoardJudged, BoardPictureAsk, Snap, SnapAsk } from "../board/types.ts";
 import type {
-  Board,
-  BoardView,
+  Drafted,
+  DraftedView,
   CheckOptions,
   Checked,
   Curves,
@@ -47,7 +48,7 @@ export interface Engine {
   /** Where the points are in the scene's own coordinates: as solved; of a scene that cannot be solved, those that its text says. */
   places(text: string): { name: string; at: [number, number] }[];
   /** What is known of a scene, complete or not, with its picture: links, guides, fixed points, drives, no plans. */
-  board(text: string, view: BoardView): Board;
+  drafted(text: string, view: DraftedView): Drafted;
   /** As `edit`; where the scene is not complete after it, the text says roughly where points were. */
   edit_in_place(text: string, edits: Edit[]): string;
   /** The scene's text with points at other places, complete or not. */
@@ -81,4 +82,20 @@ export interface Engine {
   photo_tap(plan: Panel, x: number, y: number, reach: number, aim: number): Tapped | null;
   /** How points of the student's plans stand in it. */
   photo_points(placed: MarkedPoint[]): PointVerdict[];
+  /** What a drawing is: its sheets, what stands on them, what it has to choose from; an empty text begins one. */
+  board(text: string, drawing: string): Board;
+  /** What a press at a place of a sheet adds to the entry under way, the nearest first. */
+  board_snap(text: string, drawing: string, ask: SnapAsk): Snap[];
+  /** A sheet as it is after so many entries. */
+  board_picture(text: string, drawing: string, ask: BoardPictureAsk): { svg: string; width: number; height: number };
+  /** What is right and what is wrong, entry by entry. */
+  board_judge(text: string, drawing: string): BoardJudged;
+  /** What could come next: 1 where, 2 by which relation, 3 the operation itself. */
+  board_hint(text: string, drawing: string, level: number): BoardHint;
+  /** The form of measured values that a drawing is. */
+  board_form(text: string, drawing: string): string;
+  /** The program's own construction as a drawing. */
+  board_own(text: string): string;
+  /** The plans of a drawing on sheets of paper, with their markers, as one PDF; `name` is that of the exercise. */
+  board_sheets(text: string, drawing: string, name: string): Uint8Array;
 }

@@ -6,7 +6,7 @@ import type { Answer } from "./worker.ts";
 export const PATIENCE = 20_000;
 
 /** Functions whose answers are no JSON. */
-const PLAIN = new Set(["drop", "edit", "edit_in_place", "move_points", "choose_mode", "file", "font", "read_form", "write_form", "exercise_file", "free"]);
+const PLAIN = new Set(["drop", "edit", "edit_in_place", "move_points", "choose_mode", "file", "font", "read_form", "write_form", "exercise_file", "free", "board_form", "board_own", "board_sheets"]);
 
 interface Waiting {
   name: string;

@@ -835,7 +835,7 @@ export interface Value {
 /**
  * What is known of a mechanism, complete or not, with its picture.
  */
-export interface Board {
+export interface Drafted {
   /**
    * The picture.
    */
@@ -851,20 +851,20 @@ export interface Board {
   /**
    * The points whose places are known.
    */
-  points: BoardPoint[];
+  points: DraftedPoint[];
   /**
    * The sliders, in the order of the scene.
    */
-  sliders: BoardSlider[];
+  sliders: DraftedSlider[];
   /**
    * Whether the mechanism is complete: it has a position.
    */
   is_complete: boolean;
 }
 /**
- * A point on the board.
+ * A point of it.
  */
-export interface BoardPoint {
+export interface DraftedPoint {
   /**
    * Its name.
    */
@@ -882,9 +882,9 @@ export interface BoardPoint {
   is_fixed: boolean;
 }
 /**
- * A slider on the board.
+ * A slider of it.
  */
-export interface BoardSlider {
+export interface DraftedSlider {
   /**
    * The unit direction of its guide; none where that is not known.
    *
@@ -900,7 +900,7 @@ export interface BoardSlider {
 /**
  * What of the mechanism is seen.
  */
-export interface BoardView {
+export interface DraftedView {
   /**
    * The part of the screen.
    */

@@ -1,4 +1,5 @@
 import type { App } from "../app.ts";
+import { drawingOf } from "../board/file.ts";
 import { takesText } from "../dom/find.ts";
 import { textOf } from "../files/open.ts";
 import { notice } from "./messages.ts";
@@ -15,12 +16,16 @@ function isForCheck(name: string, text: string): boolean {
   return OF_CHECK.test(text) || (/\.(csv|tsv|txt)$/i.test(name) && !/^\s*\{/.test(text));
 }
 
-/** Takes a text that somebody brings: a scene in place of the present one; what is for the check beside it. */
+/** Takes a text that somebody brings: a scene in place of the present one; what is for the check beside it; a drawing on the board. */
 function take(app: App, name: string, text: string): void {
   if (isForCheck(name, text)) {
     app.brought.set({ name, text });
     app.show("check");
     return;
+  }
+  if (drawingOf(text) !== null) {
+    app.history.draw(text);
+    return app.drawing.set(true);
   }
   app.open(text);
   if (name !== "") app.tell(say("opened_file", { name }));

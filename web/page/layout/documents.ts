@@ -28,7 +28,7 @@ export function documents(app: App, store: Store): void {
 
   function recent(kept: Kept): HTMLButtonElement {
     const when = new Date(kept.time).toLocaleString(language.value, { dateStyle: "medium", timeStyle: "short" });
-    return entry([element("span", {}, kept.title || say("untitled")), element("small", {}, when)], () => app.history.change({ text: kept.text, form: kept.form }));
+    return entry([element("span", {}, kept.title || say("untitled")), element("small", {}, when)], () => app.history.change({ text: kept.text, form: kept.form, drawing: kept.drawing ?? "" }));
   }
 
   function build(): void {
@@ -46,7 +46,7 @@ export function documents(app: App, store: Store): void {
   menu.addEventListener("beforetoggle", (event) => (event as ToggleEvent).newState === "open" && build());
 
   const title = (): void => {
-    // On the board another mechanism may stand than the last that was complete.
+    // In Build another mechanism may stand than the last that was complete.
     const own = app.building.value ? parsed(app.history.now.value.text)?.["title"] : app.solved.value.opened?.title;
     const text = calmed(typeof own === "string" ? own : "").slice(0, LONGEST) || say("untitled");
     byId("title").textContent = text;

@@ -72,9 +72,9 @@ export function keys(app: App, { steps, drives, play, full, store }: KeyParts): 
       }
       return;
     }
-    // Out of a panel, to its tab, or back to the board; in the editor Escape has a meaning of its own.
+    // Out of a panel, to its tab, or back to the stage of Build; in the editor Escape has a meaning of its own.
     if (key === "Escape" && target instanceof Element && target.closest("#panels") !== null && target.closest(".cm-editor, dialog:modal, [type=search]:not(:placeholder-shown)") === null)
-      return document.querySelector<HTMLElement>(app.building.value ? "#board" : "#tabs [aria-selected=true]")?.focus();
+      return document.querySelector<HTMLElement>(app.building.value ? "#build-stage" : "#tabs [aria-selected=true]")?.focus();
     if (event.altKey || takesText(target) || document.querySelector("dialog:modal") !== null) return;
     const control = target instanceof Element ? target.closest("button, a, summary, input, [role=radio], [role=tab], [role=option], [role=slider]") : null;
     // In a panel arrows move its own things and scroll it.

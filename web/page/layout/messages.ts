@@ -18,7 +18,7 @@ export function messages(app: App): void {
 
   function refused(): void {
     const { text: now, refused: why } = app.solved.value;
-    // What is being built is not complete for a while: the board says so by itself.
+    // What is being built is not complete for a while: Build says so by itself.
     bar.hidden = why === null || app.building.value;
     if (why === null) return bar.replaceChildren();
     const scene = app.student.value ? null : parsed(now);

@@ -102,7 +102,7 @@ export function play(app: Shown, gestures: Gestures, drives: () => Drives): Play
   on.on(show);
   app.solved.on(show);
   language.on(show);
-  // Nothing moves behind the board on which it is built.
+  // Nothing moves behind what is being built.
   app.building.on((is) => is && stop());
   const toggle = (): void => {
     if (on.value) return stop();

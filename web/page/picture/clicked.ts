@@ -4,7 +4,7 @@ import { byId } from "../dom/find.ts";
 import { distance } from "../build/hit.ts";
 import { linksOf, parsed, pointsOn } from "../panels/parts/scene.ts";
 import { inPane } from "./pulling.ts";
-import type { Viewport } from "./viewport.ts";
+import type { Viewport } from "../look/viewport.ts";
 
 /** How far a click may wander, how long it may last, in pixels and ms; and how near the link must be. */
 const [STILL, SHORT, REACH] = [4, 500, 8];

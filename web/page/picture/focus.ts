@@ -5,7 +5,7 @@ import type { Picture } from "../engine/types.ts";
 import { say } from "../layout/words.ts";
 import { called, PLANS, type Sheet } from "../sheets.ts";
 import { language } from "../words.ts";
-import type { Box, Viewport } from "./viewport.ts";
+import type { Box, Viewport } from "../look/viewport.ts";
 
 /** Which panel is shown large: on the screen it is laid out anew, of the paper it is cut out. */
 export interface Focus {

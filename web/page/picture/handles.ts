@@ -5,7 +5,7 @@ import type { Handle } from "../engine/types.ts";
 import { name } from "../layout/say.ts";
 import { say } from "../layout/words.ts";
 import { language } from "../words.ts";
-import type { Box, Viewport } from "./viewport.ts";
+import type { Box, Viewport } from "../look/viewport.ts";
 
 /** A joint as an element over the picture, which a hand or the keyboard takes. */
 export interface Grip {

@@ -1,8 +1,8 @@
 import type { App } from "../app.ts";
-import { fingers } from "../dom/fingers.ts";
 import { byId } from "../dom/find.ts";
 import { choose, type Focus } from "./focus.ts";
-import type { Viewport } from "./viewport.ts";
+import { touch } from "../look/touch.ts";
+import type { Viewport } from "../look/viewport.ts";
 
 /** Two taps closer than this, in ms and pixels, are one double tap. */
 const DOUBLE = { time: 320, way: 24 };
@@ -14,9 +14,6 @@ const [NARROW, LETTERS] = [600, 11.5];
 /** Zooms and pans: wheel, pinch, dragging the ground, double taps, buttons. */
 export function looking(app: App, view: Viewport, focus: Focus): void {
   const pane = byId("pane");
-  const down = fingers(pane, view);
-  let start: [number, number] = [0, 0];
-  let hasMoved = false;
   let lastTap = { time: 0, at: [0, 0] as [number, number] };
 
   const middle = (): [number, number] => [view.size.width / 2, view.size.height / 2];
@@ -39,32 +36,12 @@ export function looking(app: App, view: Viewport, focus: Focus): void {
   app.picture.on(read);
   view.resized.on(read);
 
-  pane.addEventListener("pointerdown", (event) => {
-    if ((event.target as Element).closest(".floating, .handle") !== null || event.button > 1 || down.press(event) > 1) return;
-    start = down.at(event);
-    hasMoved = false;
+  touch(pane, view, {
+    takes: (event) => event.button <= 1 && (event.target as Element).closest(".floating, .handle") === null,
+    pans: () => view.isZoomed(),
+    tapped: (at, _, time) => tap(at, time),
+    swept: ([way], { by }) => by === "touch" && !view.isZoomed() && Math.abs(way) > SWIPE && focus.swipe(way < 0 ? 1 : -1),
   });
-
-  pane.addEventListener("pointermove", (event) => {
-    const now = down.at(event);
-    const before = down.move(event);
-    if (Math.hypot(now[0] - start[0], now[1] - start[1]) > 5) hasMoved = true;
-    if (before === null || !view.isZoomed() || !hasMoved) return;
-    pane.classList.add("panning");
-    view.pan(now[0] - before[0], now[1] - before[1]);
-  });
-
-  const up = (event: PointerEvent): void => {
-    if (down.lift(event) !== 0) return;
-    pane.classList.remove("panning");
-    if (event.type === "pointercancel") return;
-    const at = down.at(event);
-    if (!hasMoved) return tap(at, event.timeStamp);
-    const way = at[0] - start[0];
-    if (event.pointerType === "touch" && !view.isZoomed() && Math.abs(way) > SWIPE) focus.swipe(way < 0 ? 1 : -1);
-  };
-  pane.addEventListener("pointerup", up);
-  pane.addEventListener("pointercancel", up);
 
   function tap(at: [number, number], time: number): void {
     const isDouble = time - lastTap.time < DOUBLE.time && Math.hypot(at[0] - lastTap.at[0], at[1] - lastTap.at[1]) < DOUBLE.way;

@@ -3,7 +3,7 @@ import { byId } from "../dom/find.ts";
 import type { Picture } from "../engine/types.ts";
 import { forDark } from "./dark.ts";
 import { fill } from "./sheet.ts";
-import type { Viewport } from "./viewport.ts";
+import type { Viewport } from "../look/viewport.ts";
 
 /** Draws the picture that the app shows, through the window onto the sheet. */
 export function pane(app: Shown, view: Viewport): void {

@@ -4,7 +4,7 @@ import type { Grab } from "../engine/types.ts";
 import { say } from "../layout/words.ts";
 import { REST, type Gesture, type Gestures } from "./gesture.ts";
 import type { Grip } from "./handles.ts";
-import type { Viewport } from "./viewport.ts";
+import type { Viewport } from "../look/viewport.ts";
 
 /** A place in the pane, in pixels from its corner. */
 export function inPane(app: Shown, event: { clientX: number; clientY: number }): [number, number] {

@@ -4,6 +4,10 @@ import { patch } from "../dom/patch.ts";
 
 const ROOT = /^[^<]*<svg\b([^>]*)>/;
 
+/** The white of a sheet, for what lies on a ground of its own. */
+const WHITE = /<rect [^>]*fill="#ffffff"[^>]*\/>/;
+export const withoutPaper = (svg: string): string => svg.replace(WHITE, "");
+
 /** A sheet as an element of its own, for panels: ids in it begin with `prefix`, so that they meet no others. */
 export function sheetElement(svg: string, prefix: string, name: string): SVGSVGElement {
   const holder = document.createElement("div");

@@ -2,7 +2,7 @@ import type { App } from "../app.ts";
 import type { Pane, View } from "../engine/types.ts";
 import { byId } from "../dom/find.ts";
 import { signal, type Signal } from "../state/signal.ts";
-import type { Viewport } from "./viewport.ts";
+import type { Viewport } from "../look/viewport.ts";
 
 /** Smallest and largest letters, in pixels, and their part of the mean side of the pane; in full screen they are for the last row: so much of its height. */
 const [LEAST, MOST, PART, LESSON] = [12, 18, 0.021, 0.032];

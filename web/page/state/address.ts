@@ -16,12 +16,28 @@ export interface Task {
   more: boolean;
 }
 
+/** How the drawing board is used: the teacher's link says it. It deters, it is no safe. */
+export interface BoardUse {
+  /** To practise with checks and hints; as an exam, of which nothing is told; to look on while it is drawn. */
+  mode: (typeof BOARD_MODES)[number];
+  /** What the hand is helped with: places and lines, places alone, nothing. */
+  snap: (typeof SNAPS)[number];
+  /** Whether a wrong operation is told at once; else when it is asked for. Only to practise. */
+  at_once: boolean;
+}
+const BOARD_MODES = ["practice", "exam", "demonstration"] as const;
+const SNAPS = ["all", "points", "none"] as const;
+
 /** What a link holds. */
 export interface Shared {
   /** The scene's text. */
   text: string;
   /** The form of measured values, where one goes along. */
   form?: string;
+  /** What is drawn on the board, where that goes along. */
+  drawing?: string;
+  /** How the board is used; none where the link is not about it. */
+  board?: BoardUse | null;
   view?: View;
   /** The panel that is shown at first. */
   panel?: string;
@@ -73,6 +89,9 @@ function document(json: unknown): Shared | null {
   if (typeof given["text"] !== "string") return null;
   const shared: Shared = { text: given["text"] };
   if (typeof given["form"] === "string") shared.form = given["form"];
+  if (typeof given["drawing"] === "string") shared.drawing = given["drawing"];
+  const use = useOf(given["board"]);
+  if (use !== null) shared.board = use;
   if (typeof given["panel"] === "string") shared.panel = given["panel"];
   if (given["student"] === true) shared.student = true;
   const task = taskOf(given["task"]);
@@ -83,6 +102,14 @@ function document(json: unknown): Shared | null {
     shared.view = { step, coarse: view.coarse === true, modes: view.modes === true };
   }
   return shared;
+}
+
+/** How the board is used, as somebody else's JSON says it; null where it says nothing that is known. */
+function useOf(json: unknown): BoardUse | null {
+  const given = (typeof json === "object" && json !== null ? json : {}) as Record<string, unknown>;
+  const mode = BOARD_MODES.find((known) => known === given["mode"]);
+  const snap = SNAPS.find((known) => known === given["snap"]) ?? "all";
+  return mode === undefined ? null : { mode, snap, at_once: given["at_once"] === true };
 }
 
 /** An exercise as somebody else's JSON names it; null where it names none. */

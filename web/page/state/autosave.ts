@@ -6,7 +6,7 @@ import type { Kept, Store } from "./storage.ts";
 export function asKept(app: App): Kept {
   const title = app.solved.value.opened?.title ?? "";
   const asked = app.course === null ? {} : { asked: app.asked };
-  return { ...app.history.now.value, title, student: app.student.value, task: app.task.value, ...asked, page: thisPage(), time: Date.now() };
+  return { ...app.history.now.value, title, student: app.student.value, task: app.task.value, board: app.board.value, ...asked, page: thisPage(), time: Date.now() };
 }
 
 /** Keeps the document a moment after each change, and at once when the page is left. */

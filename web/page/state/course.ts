@@ -31,8 +31,10 @@ export interface Course {
   readonly isDeaf: Signal<boolean>;
   /** The form to begin with: what an earlier visit has left, else the empty one. */
   readonly form: string;
-  /** From now on the form is kept for the next visit, as it stands when the course is told something. */
-  follow(form: () => string): void;
+  /** The drawing that an earlier visit has left; empty where there is none. */
+  readonly drawing: string;
+  /** From now on form and drawing are kept for the next visit, as they stand when the course is told something. */
+  follow(now: () => { form: string; drawing?: string }): void;
   /** Says what a check has found; the best of all counts. */
   report(marked: Marked): void;
   /** Says again what was said last. */
@@ -100,7 +102,7 @@ export function course(empty: string): Course | null {
   let isMarked = best > 0 || before?.best != null;
   let status = known("core.lesson_status");
   const form = before?.into(empty) ?? empty;
-  let written = (): string => form;
+  let written = (): { form: string; drawing?: string } => ({ form, drawing: before?.drawing ?? "" });
   const isDeaf = signal(false);
 
   const tell = (): void => {
@@ -109,7 +111,7 @@ export function course(empty: string): Course | null {
     const isTold = isMarked && (pass === null || isOver || status === "failed");
     put("core.session_time", span(performance.now() - begun));
     put("core.exit", isOver ? "" : "suspend");
-    put("suspend_data", packed(isMarked ? best : null, written(), empty));
+    put("suspend_data", packed(isMarked ? best : null, written().form, empty, written().drawing));
     if (isTold) {
       put("core.score.min", "0");
       put("core.score.max", "100");
@@ -131,6 +133,7 @@ export function course(empty: string): Course | null {
     scheme: '{ "kinegon_marks": 1 }',
     isDeaf,
     form,
+    drawing: before?.drawing ?? "",
     follow: (now) => (written = now),
     report({ earned, of, isFull, isRight }) {
       const score = of > 0 ? Math.round((1000 * earned) / of) / 10 : 0;

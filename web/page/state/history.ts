@@ -6,6 +6,8 @@ export interface Document {
   readonly text: string;
   /** The student's form of measured values, as a file of the program has it; empty before anything is written. */
   readonly form: string;
+  /** What the student draws on the board, as a file of the program has it; empty or missing before anything is drawn. It has an undo of its own. */
+  readonly drawing?: string;
 }
 
 /** Most entries that are kept. */
@@ -20,6 +22,8 @@ export interface History {
   readonly canRedo: Signal<boolean>;
   /** Changes a part. Changes with the same gesture, one after the other, are one entry. */
   change(part: Partial<Document>, gesture?: string): void;
+  /** Goes on with the drawing: no entry, for undo of the page leaves it as it is as long as the scene is the same. */
+  draw(drawing: string): void;
   undo(): void;
   redo(): void;
 }
@@ -38,6 +42,12 @@ export function history(first: Document, before: readonly Document[] = []): Hist
     now.set(document);
   }
 
+  /** A document of before or after, with the drawing as far as it is now. */
+  function returned(document: Document): Document {
+    const { text, drawing } = now.value;
+    return drawing === undefined || document.text !== text ? document : { ...document, drawing };
+  }
+
   return {
     past: () => past,
     now,
@@ -45,19 +55,20 @@ export function history(first: Document, before: readonly Document[] = []): Hist
     canRedo,
     change(part, gesture) {
       const next = { ...now.value, ...part };
-      if (next.text === now.value.text && next.form === now.value.form) return;
+      if (next.text === now.value.text && next.form === now.value.form && (next.drawing ?? "") === (now.value.drawing ?? "")) return;
       if (gesture === undefined || gesture !== last) past = [...past, now.value].slice(-MOST);
       last = gesture;
       future = [];
       show(next);
     },
+    draw: (drawing) => now.set({ ...now.value, drawing }),
     undo() {
       const before = past.at(-1);
       if (before === undefined) return;
       past = past.slice(0, -1);
       future = [now.value, ...future];
       last = undefined;
-      show(before);
+      show(returned(before));
     },
     redo() {
       const [after, ...rest] = future;
@@ -65,7 +76,7 @@ export function history(first: Document, before: readonly Document[] = []): Hist
       past = [...past, now.value];
       future = rest;
       last = undefined;
-      show(after);
+      show(returned(after));
     },
   };
 }

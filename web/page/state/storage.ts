@@ -1,4 +1,4 @@
-import type { Task } from "./address.ts";
+import type { BoardUse, Task } from "./address.ts";
 import type { Document } from "./history.ts";
 import { thisPage, type Page } from "./lesson.ts";
 
@@ -15,6 +15,8 @@ export interface Kept extends Document {
   student?: boolean;
   /** The exercise that it is. */
   task?: Task | null;
+  /** How the drawing board is used, where a link has said it. */
+  board?: BoardUse | null;
   /** What it was asked for with, where a course has asked. */
   asked?: Asked;
   /** The page in which it was made; those of older versions do not say. */
@@ -60,7 +62,7 @@ const MOST_LETTERS = 1_000_000;
 /** As many of the last documents as may be kept. */
 function newest(past: readonly Document[]): Document[] {
   let letters = 0;
-  const first = past.findLastIndex(({ text, form }) => (letters += text.length + form.length) > MOST_LETTERS);
+  const first = past.findLastIndex(({ text, form, drawing = "" }) => (letters += text.length + form.length + drawing.length) > MOST_LETTERS);
   return past.slice(first + 1);
 }
 

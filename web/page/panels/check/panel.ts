@@ -6,6 +6,7 @@ import { redo, undo } from "../../layout/keys.ts";
 import { language } from "../../words.ts";
 import { bar } from "./bar.ts";
 import { checking } from "./checking.ts";
+import { drawingBlock } from "./drawing.ts";
 import { begun, filledNames, type FormFile, formFile, formText, withoutValue, withValue } from "./form.ts";
 import { formFiles, formName } from "./form_files.ts";
 import { head } from "./head.ts";
@@ -76,7 +77,8 @@ function mount(root: HTMLElement, app: App): void {
   });
   drawing.isShown.on((is) => is && photo.hide());
   const camera = photoBlock(app, photo);
-  const all = element("div", { class: "all" }, taskPart(app), intro, camera.root, files, top.root, boxes.root, points.root, whole.root);
+  const drawn = drawingBlock(app);
+  const all = element("div", { class: "all" }, taskPart(app), intro, drawn.root, camera.root, files, top.root, boxes.root, points.root, whole.root);
   const none = element("p", { class: "quiet" });
   root.append(none, all, foot.root);
   // The browser's own undo ends at the field's edge; the page's goes through all of the form.
@@ -117,6 +119,7 @@ function mount(root: HTMLElement, app: App): void {
     boxes.build(form);
     points.build(form);
     camera.show(form);
+    drawn.show(form);
     show();
   }
 

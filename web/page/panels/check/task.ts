@@ -58,7 +58,7 @@ export function taskPart(app: App): HTMLElement {
     const further = { ...task, number: task.number + 1 };
     try {
       const found = await made(app, further);
-      app.history.change({ text: found.text, form: formText(begun(found.form, true)) });
+      app.history.change({ text: found.text, form: formText(begun(found.form, true)), drawing: "" });
       app.tell(say("task_is", { name: found.name }));
     } catch (refused) {
       app.tell(said(refused));

@@ -3,6 +3,7 @@ import { element } from "../../dom/element.ts";
 import type { Refused } from "../../engine/types.ts";
 import { copied } from "../../files/clipboard.ts";
 import { saveFile } from "../../files/save.ts";
+import { boardChoice } from "./board_choice.ts";
 import { studentLink } from "./link.ts";
 import type { Made } from "./making.ts";
 import { type Saying, say } from "./words.ts";
@@ -39,10 +40,11 @@ export function forStudents(app: App, found: Found): HTMLElement {
   };
   const [stepsBox, steps] = box("allow_steps", false);
   const [moreBox, more] = box("allow_more", true);
+  const board = boardChoice(() => address.value !== "" && void link());
   const address = element("input", { type: "text", readonly: true, "aria-label": say("link_address"), hidden: true });
   address.onfocus = () => address.select();
   async function link(): Promise<void> {
-    address.value = await studentLink(app, exercise, found.wanted, { steps: steps.checked, more: more.checked });
+    address.value = await studentLink(app, exercise, found.wanted, { steps: steps.checked, more: more.checked, board: board.now() });
     address.hidden = false;
     const isCopied = await copied(address.value);
     app.tell(say(isCopied ? "copied" : "not_copied"));
@@ -63,7 +65,7 @@ export function forStudents(app: App, found: Found): HTMLElement {
       file(app, found, "form", "csv", exercise.form_csv, "text/csv"),
       file(app, found, "scene", "json", exercise.text, "application/json"),
     ),
-    element("p", { class: "allowed" }, stepsBox, moreBox),
+    element("p", { class: "allowed" }, stepsBox, moreBox, board.root),
     address,
     element("p", { class: "quiet" }, say("print_hint")),
     element("p", { class: "quiet" }, say("link_hint")),
@@ -82,7 +84,7 @@ export function forTeacher(app: App, found: Found, key: HTMLElement): HTMLElemen
       { class: "buttons" },
       button(say("open"), () => {
         // A form of the scene before would not fit.
-        app.history.change({ text: exercise.text, form: "" });
+        app.history.change({ text: exercise.text, form: "", drawing: "" });
         app.tell(say("opened", { name: exercise.name }));
       }),
       button(say("print_key"), () => app.print(exercise.key, exercise.key_width, exercise.key_height)),

@@ -1,5 +1,5 @@
 import type { ChoiceField, Field, Group } from "../parts/form.ts";
-import { at, type Draft } from "../parts/scene.ts";
+import { at, linksOf, type Draft } from "../parts/scene.ts";
 import { SHEETS } from "../../engine/types.ts";
 import { called } from "../../sheets.ts";
 import { figure, LANGUAGES } from "../../sentences.ts";
@@ -9,7 +9,7 @@ function choice(key: string, label: string, options: ChoiceField["options"], ope
   return { kind: "choice", path: ["figure", key], label, open, options };
 }
 
-/** Style, notation, language. */
+/** Style, notations, language. */
 export function look(scene: Draft): Group {
   // What is usual is not written; a scene that says it nevertheless keeps it.
   const usual = (key: string, value: string): unknown => (at(scene, ["figure", key]) === value ? value : undefined);
@@ -25,6 +25,17 @@ export function look(scene: Draft): Group {
     { value: "russian", text: say("russian") },
     { value: "german", text: say("german") },
   ];
+  const slidings = [{ value: usual("sliding", "slider"), text: "v_r(3/2)" }, { value: "points", text: "v_B3B2" }];
+  const letters = [{ text: say("as_notation") }, ...["c", "C", "k", "cor"].map((value) => ({ value, text: value }))];
+  // A link that has the number keeps it.
+  const taken = new Set(linksOf(scene));
+  const numbers = ["0", "1"].filter((value) => !taken.has(value) || at(scene, ["figure", "frame"]) === value);
+  const frames = [{ text: say("word") }, ...numbers.map((value) => ({ value, text: value }))];
+  const senses = [
+    { text: say("not_turned") },
+    { value: "counter-clockwise", text: say("turned_by", { angle: "+90" }) },
+    { value: "clockwise", text: say("turned_by", { angle: "−90" }) },
+  ];
   const languages = LANGUAGES.map((code) => ({ value: code === "en" ? usual("language", code) : code, text: figure[code].language_name }));
   const marks = [{ value: usual("decimal", "point"), text: say("point") }, { value: "comma", text: say("comma") }];
   return {
@@ -33,6 +44,9 @@ export function look(scene: Draft): Group {
     rows: [
       { fields: [choice("style", say("style"), styles)] },
       { fields: [choice("notation", say("notation"), notations)] },
+      { fields: [choice("sliding", say("sliding"), slidings)] },
+      { fields: [choice("coriolis", say("coriolis"), letters, false), choice("frame", say("frame"), frames, false)] },
+      { fields: [choice("turned", say("turned"), senses, false)] },
       { fields: [choice("language", say("language"), languages), choice("decimal", say("decimal"), marks)] },
     ],
   };

@@ -11,7 +11,7 @@ import type { Box } from "../output/sheet.ts";
 import { EMPTY, GROUPS, titleOf } from "./kinds.ts";
 import { say } from "./words.ts";
 
-/** The choice of a starting scene, closed at first; an empty one is begun on the board. */
+/** The choice of a starting scene, closed at first; an empty one is begun in Build. */
 export function gallery(app: App): HTMLElement {
   const summary = element("summary", {});
   const groups = element("div", { class: "kinds" });
@@ -29,7 +29,7 @@ export function gallery(app: App): HTMLElement {
       app.picture.set(null);
     }
     open(EMPTY);
-    // Also a board that stands there begins anew.
+    // Also what stands there begins anew.
     app.building.set(false);
     app.building.set(true);
   });

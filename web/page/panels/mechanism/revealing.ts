@@ -1,4 +1,4 @@
-/** The card of a point or a link that somebody clicked in the picture or on the board. */
+/** The card of a point or a link that somebody clicked in the picture or in Build. */
 import type { App } from "../../app.ts";
 import { at, dotted, isDrawn, linksOf, parsed, pointsOn, type Draft, type Path } from "../parts/scene.ts";
 

@@ -47,7 +47,7 @@ async function changed(app: App, { edits, gesture }: Waiting): Promise<Refused |
   for (;;) {
     const before = app.history.now.value.text;
     try {
-      // What is built on the board, or by the form's buttons, keeps its places while it is not complete. A number on its way is not what is built.
+      // What is built by hand, or by the form's buttons, keeps its places while it is not complete. A number on its way is not what is built.
       const inPlace = !app.typing.value && (app.building.value || gesture === undefined);
       const text = await (inPlace ? app.engine.edit_in_place(before, edits) : app.engine.edit(before, edits));
       if (app.history.now.value.text !== before) continue;

@@ -45,7 +45,7 @@ export function keepForm(root: HTMLElement, app: App, owner: Owner): { again(): 
     state.pieces.clear();
     current();
   });
-  // Nothing is wrong with what is only begun: the board says what is missing, and the bar over the picture.
+  // Nothing is wrong with what is only begun: Build says what is missing, and the bar over the picture.
   const message = (): void => {
     const { text, refused } = app.solved.value;
     const isMistake = refused !== null && text === app.history.now.value.text && !app.building.value && !isBegun(parsed(text) ?? {}, refused);

@@ -1,6 +1,6 @@
 import { element, svgElement } from "../../../dom/element.ts";
 import type { PhotoPlan, PointVerdict } from "../../../engine/types.ts";
-import { viewport, type Box, type Viewport } from "../../../picture/viewport.ts";
+import { viewport, type Box, type Viewport } from "../../../look/viewport.ts";
 import { letters } from "../plan_letters.ts";
 import type { Photograph } from "./picture.ts";
 

@@ -1,4 +1,4 @@
-/** Keys on the board: they move a cross in place of a pointer, and everything is done that pointers do. */
+/** Keys on the stage: they move a cross in place of a pointer, and everything is done that pointers do. */
 import type { App } from "../app.ts";
 import { redo, undo } from "../layout/keys.ts";
 import { speak } from "../layout/messages.ts";
@@ -14,7 +14,7 @@ const FINER = 5;
 /** How near a thing must be, in steps: no place is farther from where steps lead. */
 const NEAR = 0.71;
 
-export interface BoardKeys {
+export interface BuildKeys {
   cross(): Place;
   /** What is at the cross. */
   words(): string;
@@ -25,7 +25,7 @@ export interface BoardKeys {
 }
 
 /** `putBack` puts back what a pointer holds, and says whether it held something. */
-export function boardKeys(app: App, model: Model, stage: SVGSVGElement, menu: (press: Press, at: Pixels) => void, draw: () => void, putBack: () => boolean): BoardKeys {
+export function buildKeys(app: App, model: Model, stage: SVGSVGElement, menu: (press: Press, at: Pixels) => void, draw: () => void, putBack: () => boolean): BuildKeys {
   const { sight } = model;
   let cross: Place = [0, 0];
   /** What keys carry: taken up by Enter, put down by Enter. */

@@ -1,7 +1,7 @@
-/** Two fingers and the wheel, which zoom and pan whatever is looked at: the picture, the board, a photograph. */
+/** Two fingers and the wheel, which zoom and pan whatever is looked at. */
 
 /** A place in pixels from the upper left corner of the element. */
-type Pixels = [number, number];
+export type Pixels = [number, number];
 
 /** The window onto it. */
 interface Look {

@@ -1,0 +1,233 @@
+//! Who is to blame for a wrong entry, and what was probably done there: the entry itself, or something of the hand's own on which it hangs.
+
+use super::alone::Held;
+use super::bench::{Bench, has_numbers, written_together};
+use super::direction::Direction;
+use super::file::{Compute, Entry, LayOff, Line, Measure};
+use super::judge::{Verdict, Wrong};
+use super::reads::reads;
+use super::says;
+use super::slips::Slip;
+use super::table::{Made, things};
+use crate::check::{Mistake, Told, tell};
+use crate::geometry::{Vector, unit};
+use crate::message::Message;
+use std::collections::BTreeSet;
+
+impl Bench<'_> {
+    /// The verdict on a wrong entry: it is wrong itself, or follows from something of the hand's own that nothing else has judged.
+    pub(super) fn blamed(
+        &self,
+        entry: &Entry,
+        made: &Made,
+        is_typed: bool,
+        what: Message,
+        verdicts: &mut [Verdict],
+    ) -> Verdict {
+        let mistake = self.cause(entry, made, is_typed);
+        if mistake.is_none()
+            && let Some((earlier, right)) = self.culprit(entry, made)
+        {
+            let name = things(made).into_iter().next().map_or_else(String::new, |(_, name)| name);
+            let own = self.done.iter().find(|(index, _)| *index == earlier);
+            let mistake = own.zip(right).and_then(|((_, own), right)| self.slip(own, right, is_typed));
+            verdicts[earlier] = Verdict::Wrong(Wrong { what: says::leads_wrong(name), mistake });
+            return Verdict::Follows;
+        }
+        Verdict::Wrong(Wrong { what, mistake })
+    }
+
+    /// The mistake of the catalogue that does the same, or a slip that explains it; of a free line whatever it may have meant.
+    fn cause(&self, entry: &Entry, made: &Made, is_typed: bool) -> Option<Told> {
+        let slip = || self.meant_to_be(entry, made).and_then(|right| self.slip(entry, right, is_typed));
+        let of = |entry: &Entry| {
+            let typed = if is_typed { self.as_if_right(entry, true) } else { None };
+            self.causes.of(entry, made, &self.right, typed.as_ref()).map(|cause| cause.told)
+        };
+        match entry {
+            Entry::Line(line) => {
+                let meant = self.meant(line);
+                meant.iter().find_map(of).or_else(|| meant.iter().find_map(|meant| self.turned_over(meant)))
+            }
+            // A vector has its classical mistakes; another length is a slip like others.
+            Entry::LayOff(_) => match of(entry) {
+                Some(told) if told.mistake != Mistake::WrongLength => Some(told),
+                other => slip().or(other),
+            },
+            // In equations signs are wrong, too, which the catalogue takes for something else.
+            Entry::Solve(_) => slip(),
+            Entry::Measure(Measure { read: Some(read), .. }) => {
+                slip().or_else(|| self.misreading(entry, *read)).or_else(|| of(entry))
+            }
+            _ => slip().or_else(|| of(entry)),
+        }
+    }
+
+    /// A ray at the angle of a link's triangle that was laid off to the wrong side.
+    fn turned_over(&self, entry: &Entry) -> Option<Told> {
+        let Entry::Line(line) = entry else { return None };
+        let Some(Direction::Turned { turned: [from, to], base }) = &line.along else { return None };
+        let turned = [to.clone(), from.clone()];
+        let other = Line { along: Some(Direction::Turned { turned, base: base.clone() }), ..line.clone() };
+        let is_right = matches!(self.holds(&Entry::Line(other), &line.line, false), Held::All);
+        let target = self.targets.get(&line.line)?.first()?;
+        let through = line.through.as_deref()?;
+        let end = base.split(',').map(str::trim).find(|end| *end != through)?;
+        is_right.then(|| tell::mirrored_image(through.into(), target.as_str().into(), end.into()))
+    }
+
+    fn misreading(&self, entry: &Entry, read: f64) -> Option<Told> {
+        let Entry::Measure(measure) = entry else { return None };
+        Slip::misread(&self.own, measure, self.measured_on(measure)?, read)
+    }
+
+    /// The slip that explains how an entry makes something else than it should.
+    fn slip(&self, entry: &Entry, right: Made, is_typed: bool) -> Option<Told> {
+        let table = &self.right[0];
+        let alone = self.as_if_right(entry, is_typed)?;
+        let tolerance = if is_typed || has_numbers(entry) { 0.012 } else { 1e-6 };
+        Slip { table, entry, alone: &alone, right, tolerance }.told()
+    }
+
+    /// What an entry makes in the scene with right inputs. A typed number was worked out from the hand's own things: it is taken in the
+    /// same ratio to what should come out of these.
+    fn as_if_right(&self, entry: &Entry, is_typed: bool) -> Option<Made> {
+        let table = &self.right[0];
+        let alone = table.carried_out_again(entry).ok()?;
+        if !is_typed {
+            return Some(alone);
+        }
+        let given = self.judge.given();
+        Some(match (alone, entry) {
+            (Made::Place(sheet, name, at), Entry::LayOff(LayOff { from, .. })) => {
+                let own = self.own.place(sheet, from).zip(table.place(sheet, from));
+                let expected = self.causes.expected_place(&self.own, sheet, &name).zip(given.place(sheet, &name));
+                let at = own.zip(expected).map_or(at, |((own_start, start), (expected, right))| {
+                    let found = match self.own.carried_out_again(entry) {
+                        Ok(Made::Place(_, _, found)) => found - own_start,
+                        _ => at - start,
+                    };
+                    start + over(times(found, right - start), expected - own_start).unwrap_or(at - start)
+                });
+                Made::Place(sheet, name, at)
+            }
+            (Made::Numbers(all), Entry::Compute(Compute { by: None, .. })) => {
+                let scaled = all.into_iter().map(|(name, number)| {
+                    let expected = self.causes.expected_number(&self.own, &name).zip(given.number(&name));
+                    let ratio = expected.map_or(1.0, |(expected, right)| right / expected);
+                    let is_near = (ratio.abs() - 1.0).abs() < 0.2;
+                    (name, if is_near { number * ratio.abs() } else { number })
+                });
+                Made::Numbers(scaled.collect())
+            }
+            (alone, _) => alone,
+        })
+    }
+
+    /// What an entry should make, where its name says that.
+    fn meant_to_be(&self, entry: &Entry, made: &Made) -> Option<Made> {
+        let given = self.judge.given();
+        match made {
+            Made::Place(sheet, name, _) => Some(Made::Place(*sheet, name.clone(), given.place(*sheet, name)?)),
+            Made::Numbers(all) => {
+                let right = |(name, _): &(String, f64)| {
+                    let right = given.number(name).or_else(|| written_together(given, entry, name))?;
+                    Some((name.clone(), right))
+                };
+                all.iter().map(right).collect::<Option<_>>().map(Made::Numbers)
+            }
+            Made::Line(..) => None,
+        }
+    }
+
+    /// Of the hand's own things on which a wrong entry hangs, the first with which it would be right, were that something that has a
+    /// name, as a vector of the plan or a known number, and what that is. Where there is only one, it is that one.
+    fn culprit(&self, entry: &Entry, made: &Made) -> Option<(usize, Option<Made>)> {
+        let hangs_on = self.chain(entry);
+        let suspects: Vec<usize> = hangs_on.iter().copied().filter(|index| self.is_unsure(*index)).collect();
+        let mended = |suspect: usize| {
+            let table = &self.right[0];
+            let replaced = self.done.iter().find(|(index, _)| *index == suspect)?.1;
+            let is_right = |instead: &Made| {
+                let mut other = table.clone();
+                other.put(instead.clone());
+                for index in hangs_on.iter().filter(|index| **index > suspect) {
+                    let (_, entry) = self.done.iter().find(|(other, _)| other == index)?;
+                    let again = other.carried_out_again(entry).ok()?;
+                    other.put(again);
+                }
+                let again = other.carried_out_again(entry).ok()?;
+                self.is_meant(&again, made).then_some(())
+            };
+            self.causes.instead_of(replaced, table).into_iter().find(|instead| is_right(instead).is_some())
+        };
+        // What has a name of its own may still be the wrong one here.
+        let all = suspects.iter().chain(hangs_on.iter().filter(|index| !suspects.contains(index)));
+        let found = all.copied().find_map(|suspect| mended(suspect).map(|right| (suspect, Some(right))));
+        found.or_else(|| {
+            let is_number = !matches!(entry, Entry::Line(_) | Entry::Join(_)) && self.has_right_direction(entry, made);
+            suspects.first().filter(|_| is_number).map(|first| (*first, None))
+        })
+    }
+
+    fn is_unsure(&self, index: usize) -> bool {
+        self.unsure.values().any(|own| *own == index)
+    }
+
+    /// The entries of the hand's own things on which an entry hangs, in order.
+    fn chain(&self, entry: &Entry) -> Vec<usize> {
+        let mut found = BTreeSet::new();
+        let mut open = reads(entry, &self.own);
+        while let Some(thing) = open.pop() {
+            let Some(&index) = self.made.get(&thing) else { continue };
+            if found.insert(index)
+                && let Some((_, entry)) = self.done.iter().find(|(other, _)| *other == index)
+            {
+                open.extend(reads(entry, &self.own));
+            }
+        }
+        found.into_iter().collect()
+    }
+
+    /// Whether what was made in the scene is what its name means.
+    fn is_meant(&self, found: &Made, made: &Made) -> bool {
+        let given = self.judge.given();
+        match (found, made) {
+            (Made::Place(sheet, name, at), Made::Place(..)) => {
+                given.place(*sheet, name).is_some_and(|right| (at - right).norm() <= 1e-6 * given.size(*sheet))
+            }
+            (Made::Numbers(all), Made::Numbers(_)) => all.iter().all(|(name, number)| {
+                given.number(name).is_some_and(|right| (number.abs() - right.abs()).abs() <= 1e-6 * right.abs())
+            }),
+            (Made::Line(name, line), Made::Line(..)) => {
+                let mut targets = self.targets.get(name).into_iter().flatten();
+                targets.any(|target| {
+                    let place = given.place(line.sheet, target);
+                    place.is_some_and(|place| line.distance(place).abs() <= 1e-6 * given.size(line.sheet))
+                })
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether what is wrong may come from a number that was read: not where a vector has a wrong direction.
+    fn has_right_direction(&self, entry: &Entry, made: &Made) -> bool {
+        let (Entry::LayOff(LayOff { from, .. }), Made::Place(sheet, name, _)) = (entry, made) else { return true };
+        let right = &self.right[0];
+        let ends = self.judge.given().place(*sheet, name).zip(right.place(*sheet, from));
+        let Ok(Made::Place(_, _, end)) = right.carry_out(entry) else { return true };
+        let directions = ends.and_then(|(end_right, start)| Some((unit(end_right - start)?, unit(end - start)?)));
+        directions.is_none_or(|(a, b)| crate::geometry::cross(a, b).abs() < 1e-6)
+    }
+}
+
+/// The product of two vectors as complex numbers.
+fn times(a: Vector, b: Vector) -> Vector {
+    Vector::new(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
+}
+
+/// Their quotient; `None` where the divisor is nothing.
+fn over(a: Vector, b: Vector) -> Option<Vector> {
+    let size = b.norm_squared();
+    (size > 0.0).then(|| times(a, Vector::new(b.x, -b.y)) / size)
+}

@@ -1,0 +1,226 @@
+//! What is known before the hand begins, and what every name means in the end: the solved scene, with all points in its plans.
+
+use super::says;
+use crate::construction::Rate;
+use crate::construction::{Construction, Extent, PointRole, Solution, construct, image_name};
+use crate::geometry::{Vector, unit};
+use crate::mechanism::{Mechanism, Role};
+use crate::message::Message;
+use crate::quantity::{Quantity, QuantityRequest, What};
+use crate::scene::{Head, QuantityName};
+use crate::sheet::{PerSheet, Sheet};
+use indexmap::IndexMap;
+
+/// A solved scene as somebody meets it who draws: what it gives, and what the names of points and numbers will mean.
+#[derive(Debug)]
+pub struct Given {
+    /// The solution, whose plans have all points.
+    pub solution: Solution,
+    /// By sheet and name: every point, in units of the sheet, from the pole or from the scheme's first point.
+    places: IndexMap<(Sheet, String), Vector>,
+    /// The names of points that are there before anything is drawn: joints on the scheme, on plans the pole under all its names.
+    there: Vec<(Sheet, String)>,
+    /// The largest distance from the origin, by sheet.
+    sizes: PerSheet<f64>,
+}
+
+impl Given {
+    /// What the scene of a solution gives and means. The plans are drawn to all points, whatever its figure shows.
+    #[must_use]
+    pub fn new(solution: &Solution) -> Given {
+        let mut solution = solution.clone();
+        if solution.construction.extent != Extent::Points {
+            let Solution { mechanism, pose, motion, .. } = &solution;
+            solution.construction = construct(mechanism, pose, motion, Extent::Points);
+        }
+        let (mut places, mut there) = (IndexMap::new(), Vec::new());
+        let Solution { mechanism, pose, construction, .. } = &solution;
+        for point in mechanism.point_ids() {
+            let key = (Sheet::Scheme, mechanism.point_name(point).to_owned());
+            there.push(key.clone());
+            places.insert(key, pose.point(point) - construction.origin);
+        }
+        for special in &construction.special {
+            if let Some(place) = special.place.finite() {
+                places.entry((Sheet::Scheme, special.name.clone())).or_insert(place - construction.origin);
+            }
+        }
+        for plan in construction.plans() {
+            for (name, point) in &plan.points {
+                let key = (plan.sheet(), name.clone());
+                if point.role == PointRole::Pole {
+                    there.push(key.clone());
+                }
+                places.insert(key, point.vector);
+            }
+        }
+        for (name, ends) in &construction.known_parts {
+            let end = places.get(&(Sheet::Acceleration, ends[1].clone())).copied();
+            if let Some(end) = end {
+                places.entry((Sheet::Acceleration, name.clone())).or_insert(end);
+            }
+        }
+        let mut sizes = PerSheet::from_fn(|_| 0.0_f64);
+        for ((sheet, _), place) in &places {
+            sizes[*sheet] = sizes[*sheet].max(place.norm());
+        }
+        Given { solution, places, there, sizes }
+    }
+
+    /// The mechanism.
+    #[must_use]
+    pub fn mechanism(&self) -> &Mechanism {
+        &self.solution.mechanism
+    }
+
+    /// The plans, with all points.
+    #[must_use]
+    pub fn construction(&self) -> &Construction {
+        &self.solution.construction
+    }
+
+    /// Where a point is in the end, by its sheet and name, in units of the sheet; `None` for a name that means nothing there.
+    #[must_use]
+    pub fn place(&self, sheet: Sheet, name: &str) -> Option<Vector> {
+        self.places.get(&(sheet, usual(sheet, name).to_owned())).copied()
+    }
+
+    /// All points of a sheet by their names.
+    pub fn places(&self, sheet: Sheet) -> impl Iterator<Item = (&str, Vector)> {
+        let on = self.places.iter().filter(move |((other, _), _)| *other == sheet);
+        on.map(|((_, name), place)| (name.as_str(), *place))
+    }
+
+    /// The points that are there before anything is drawn.
+    pub(super) fn there(&self) -> impl Iterator<Item = (Sheet, &str, Vector)> {
+        self.there.iter().map(|key| (key.0, key.1.as_str(), self.places[key]))
+    }
+
+    /// Whether a point of this name is there before anything is drawn.
+    pub(super) fn is_there(&self, name: &str) -> bool {
+        self.there.iter().any(|(_, own)| own == name)
+    }
+
+    /// The largest distance of a point from a sheet's origin.
+    #[must_use]
+    pub fn size(&self, sheet: Sheet) -> f64 {
+        self.sizes[sheet]
+    }
+
+    /// The value of a number by the name of its quantity; of a vector its size. `None` for a name of one's own.
+    #[must_use]
+    pub fn number(&self, name: &str) -> Option<f64> {
+        let Solution { mechanism, construction, .. } = &self.solution;
+        let name = with_usual_poles(name);
+        let asked = QuantityRequest::new(&name, mechanism).ok()?;
+        let value = asked.value(&self.solution.snapshot(), Some(construction), None).ok();
+        value.map(Quantity::as_number).or_else(|| self.segment(&name))
+    }
+
+    /// The distance of two points of a sheet that have a place here but none in the construction.
+    fn segment(&self, name: &str) -> Option<f64> {
+        let name = QuantityName::parse(name).filter(QuantityName::is_plain)?;
+        let Head::Between(sheet) = name.head else { return None };
+        let [from, to] = name.arguments.as_slice() else { return None };
+        Some((self.place(sheet, to)? - self.place(sheet, from)?).norm())
+    }
+
+    /// The value of a number that the scene gives, with nothing drawn: rates of drives and links that they move, given velocities,
+    /// angles, positions. `None` where it is to be found.
+    pub(super) fn given_number(&self, name: &str) -> Option<f64> {
+        let mechanism = self.mechanism();
+        let asked = QuantityRequest::new(name, mechanism).ok()?;
+        let is_given = match &asked.what {
+            What::Rate(Rate::Angular(_, link)) => mechanism.is_known(*link),
+            What::Rate(Rate::Slide(_, slider)) => mechanism.slider(*slider).drive.is_some(),
+            What::Angle(_) | What::SlidePosition(_) | What::Coordinate(..) => true,
+            What::Motion(_, crate::quantity::Spot::Point(_, point, _), None) => {
+                // The scene gives the vector itself.
+                mechanism.bodies.iter().any(|body| {
+                    matches!(body.role, Role::Moving { .. } | Role::Carrier { .. }) && body.points.contains(point)
+                })
+            }
+            _ => false,
+        };
+        is_given.then(|| self.number(name)).flatten()
+    }
+
+    /// The direction that a link with two points, or a guide, gives; `None` for a name that is neither.
+    pub(super) fn direction(&self, name: &str) -> Option<Result<Vector, Message>> {
+        let Solution { mechanism, pose, scene, .. } = &self.solution;
+        if let Some(id) = mechanism.slider_ids().find(|&id| mechanism.slider_name(id) == name) {
+            return Some(Ok(pose.guide(id)));
+        }
+        let body = mechanism.link(name)?;
+        let listed = scene.links.get(name).map_or(&[][..], |link| link.points.as_slice());
+        let point = |name: &String| mechanism.point(name).map(|point| pose.point(point));
+        if let ([first, last], false) = (listed, body.0 == 0)
+            && let (Some(first), Some(last)) = (point(first), point(last))
+        {
+            return Some(unit(last - first).ok_or_else(|| says::no_direction(name)));
+        }
+        Some(Err(says::which_points(name)))
+    }
+
+    /// Whether a name is that of a link or of a slider, and so no name for a line.
+    pub(super) fn is_part(&self, name: &str) -> bool {
+        let mechanism = self.mechanism();
+        mechanism.link(name).is_some() || mechanism.slider_ids().any(|id| mechanism.slider_name(id) == name)
+    }
+
+    /// The sizes of all vectors that a plan may show, and the vectors: parts of the motion of one point of a link relative to another,
+    /// of sliders, and whole ones.
+    pub(super) fn vectors(&self, sheet: Sheet) -> Vec<Vector> {
+        let Some(order) = sheet.order() else { return Vec::new() };
+        let Solution { mechanism, construction, .. } = &self.solution;
+        let acceleration = order == crate::sheet::Order::Acceleration;
+        let heads: &[&str] = if acceleration { &["a", "a_n", "a_t"] } else { &["v"] };
+        let mut names = Vec::new();
+        for (id, _) in mechanism.links() {
+            let body = mechanism.body(id);
+            let mut points: Vec<&str> = body.points.iter().map(|p| mechanism.point_name(*p)).collect();
+            points.extend(construction.special.iter().filter(|s| s.link == id).map(|s| s.name.as_str()));
+            for a in &points {
+                names.push(format!("{}({a})", heads[0]));
+                for b in points.iter().filter(|b| *b != a) {
+                    names.extend(heads.iter().map(|head| format!("{head}({a}/{b})")));
+                }
+            }
+        }
+        let snapshot = self.solution.snapshot();
+        let value = |name: &String| {
+            let asked = QuantityRequest::new(name, mechanism).ok()?;
+            match asked.value(&snapshot, Some(construction), None).ok()? {
+                Quantity::Vector(v) => Some(v),
+                Quantity::Number(_) => None,
+            }
+        };
+        let mut vectors: Vec<Vector> = names.iter().filter_map(value).collect();
+        for id in mechanism.slider_ids() {
+            let (name, guide) = (mechanism.slider_name(id), self.solution.pose.guide(id));
+            let size = |head: &str| self.number(&format!("{head}({name})")).unwrap_or(0.0);
+            vectors.push(guide * size(if acceleration { "a_r" } else { "v_r" }));
+            if acceleration {
+                let coriolis = crate::geometry::quarter_turn(guide);
+                vectors.push(coriolis * size("a_c"));
+                vectors.push(coriolis * -size("a_c"));
+            }
+        }
+        vectors
+    }
+}
+
+/// The name that a point has in results: `π` for `pi`.
+pub(super) fn usual(sheet: Sheet, name: &str) -> &str {
+    if sheet == Sheet::Acceleration && name == "pi" { "π" } else { name }
+}
+
+/// The name of a segment with the pole as results call it.
+fn with_usual_poles(name: &str) -> String {
+    name.replace("aplan(pi,", "aplan(π,").replace(",pi)", ",π)")
+}
+
+/// The name of a scheme's point as its image on a plan.
+pub(super) fn image(name: &str) -> String {
+    image_name(name)
+}

@@ -1,0 +1,142 @@
+//! Hints by stages: where, what, and what would be drawn.
+
+use super::file::{Entry, HandDrawing};
+use super::judge::{JudgedDrawing, Verdict};
+use super::says;
+use super::screen::{Screen, across, path};
+use super::snap::{Ghost, GhostKind};
+use super::table::{Made, Table};
+use super::writes::own_drawing;
+use crate::geometry::cross;
+use crate::sheet::Sheet;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A hint.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct BoardHint {
+    /// What is said.
+    pub words: String,
+    /// The sheet that it is about; none for a computation, and where nothing is left to do.
+    pub sheet: Option<Sheet>,
+    /// What would be drawn, from the third stage on.
+    pub ghost: Vec<Ghost>,
+    /// The index of the entry that is wrong; none where the hint is about the next one.
+    pub entry: Option<usize>,
+}
+
+/// Stages of hints.
+pub const STAGES: u8 = 3;
+
+impl Screen {
+    /// A hint of a stage: about the first wrong entry, or about what comes next in Kinegon's own construction.
+    #[must_use]
+    pub fn hint(&self, drawing: &HandDrawing, judged: Option<&JudgedDrawing>, stage: u8) -> BoardHint {
+        let language = self.language();
+        if let Some((index, Verdict::Wrong(wrong))) =
+            judged.and_then(|judged| judged.first_wrong().map(|index| (index, &judged.verdicts[index])))
+        {
+            let should = wrong.mistake.as_ref().map(|mistake| mistake.sentences(&self.words()));
+            let words = match (stage, should) {
+                (..=1, _) => language.says(&says::first_wrong(index + 1)),
+                (2, Some([done, _])) => done,
+                (3.., Some([_, should])) => language.says(&says::should(should)),
+                _ => language.says(&wrong.what),
+            };
+            return BoardHint { words, sheet: None, ghost: Vec::new(), entry: Some(index) };
+        }
+        let (table, _) = self.judge.drawn(drawing);
+        let Some((entry, made)) = self.next(&table) else {
+            return BoardHint { words: language.says(&says::all_there()), sheet: None, ghost: Vec::new(), entry: None };
+        };
+        let sheet = match &made {
+            Made::Place(sheet, ..) => Some(*sheet),
+            Made::Line(_, line) => Some(line.sheet),
+            Made::Numbers(_) => None,
+        };
+        let what = super::table::things(&made).into_iter().map(|(_, name)| name).collect::<Vec<_>>().join(", ");
+        let words = match stage {
+            ..=1 => match (&made, sheet) {
+                (Made::Line(..), Some(sheet)) => says::next_line(crate::words::sheet_told(sheet)),
+                (_, Some(sheet)) => says::next_point(what, crate::words::sheet_told(sheet)),
+                (_, None) => says::next_number(what),
+            },
+            _ => entry.told(&self.judge),
+        };
+        let ghost = if stage >= STAGES { self.ghost_of(drawing, &entry, &made, &table) } else { Vec::new() };
+        BoardHint { words: language.says(&words), sheet, ghost, entry: None }
+    }
+
+    /// The next entry of Kinegon's own construction of which the result is not there yet.
+    fn next(&self, table: &Table<'_>) -> Option<(Entry, Made)> {
+        let given = self.judge.given();
+        let own = HandDrawing::read(&own_drawing(given, &crate::sheet::PerSheet::default())).ok()?;
+        // The own construction goes on with the hand's own things where they are there.
+        let mut ahead = table.clone();
+        for (index, entry) in own.did.iter().enumerate() {
+            let is_line = matches!(entry, Entry::Line(_) | Entry::Join(_));
+            let Ok(made) = ahead.carry_out(entry) else {
+                continue;
+            };
+            let is_there = match &made {
+                Made::Place(sheet, name, _) => table.place(*sheet, name).is_some(),
+                Made::Numbers(all) => {
+                    let own_numbers: Vec<&str> = table.numbers().map(|(name, _)| name).collect();
+                    let is_measured = matches!(entry, Entry::Measure(_));
+                    is_measured || all.iter().all(|(name, _)| own_numbers.contains(&name.as_str()))
+                }
+                Made::Line(name, line) => {
+                    let leads_to = own.did[index..].iter().find_map(|later| match later {
+                        Entry::Cross(cross) if cross.of.contains(name) => Some(&cross.cross),
+                        _ => None,
+                    });
+                    let is_crossed = leads_to.is_some_and(|point| table.place(line.sheet, point).is_some());
+                    let near = 1e-6 * given.size(line.sheet);
+                    let is_drawn = table.lines().any(|(_, other)| {
+                        other.sheet == line.sheet
+                            && cross(other.along, line.along).abs() < 1e-6
+                            && other.distance(line.at).abs() <= near
+                    });
+                    is_crossed || is_drawn
+                }
+            };
+            if !is_there {
+                return Some((entry.clone(), made));
+            }
+            if is_line || !matches!(made, Made::Place(..)) {
+                ahead.put(made);
+            }
+        }
+        None
+    }
+
+    fn ghost_of(&self, drawing: &HandDrawing, entry: &Entry, made: &Made, table: &Table<'_>) -> Vec<Ghost> {
+        let scales = self.judge.scales(drawing);
+        match made {
+            Made::Place(sheet, _, at) => {
+                let Some(paper) = self.paper(*sheet, scales) else { return Vec::new() };
+                let end = paper.at(*at);
+                let from = match entry {
+                    Entry::LayOff(laid) => table.place(*sheet, &laid.from),
+                    _ => None,
+                };
+                let arrow = from.map(|from| Ghost { kind: GhostKind::Arrow, path: path(&[paper.at(from), end]) });
+                let dot = Ghost { kind: GhostKind::Point, path: format!("M{:.2} {:.2}h0", end[0], end[1]) };
+                arrow.into_iter().chain([dot]).collect()
+            }
+            Made::Line(_, line) => {
+                let paper = self.paper(line.sheet, scales);
+                let ghost = paper.map(|paper| Ghost { kind: GhostKind::Line, path: path(&across(line, &paper)) });
+                ghost.into_iter().collect()
+            }
+            Made::Numbers(_) => Vec::new(),
+        }
+    }
+
+    /// Whether all that the own construction finds is there: every rate and every point of its plans.
+    #[must_use]
+    pub fn is_complete(&self, drawing: &HandDrawing) -> bool {
+        let (table, refused) = self.judge.drawn(drawing);
+        refused.is_none() && self.next(&table).is_none()
+    }
+}

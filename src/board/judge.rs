@@ -1,0 +1,161 @@
+//! The judge of drawings, and what it finds.
+
+use super::file::{Cross, Entry, HandDrawing};
+use super::given::Given;
+use super::others::others;
+use super::table::{Made, Table};
+use crate::check::{AnswerKey, Told};
+use crate::construction::Tolerance;
+use crate::message::Message;
+use crate::sheet::{PerSheet, Sheet};
+
+/// What is found of an entry.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Verdict {
+    /// It is right.
+    Right,
+    /// It is wrong by itself.
+    Wrong(Wrong),
+    /// It is right by itself, but hangs on something that is wrong.
+    Follows,
+    /// Nothing uses it, and its name means nothing.
+    Unused,
+    /// It was taken back, or takes back.
+    Undone,
+}
+
+/// What is wrong with an entry.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wrong {
+    /// What is to be seen: `c` does not lie on this line.
+    pub what: Message,
+    /// What was probably done, and what should be, where the catalogue of mistakes has it.
+    pub mistake: Option<Told>,
+}
+
+/// A judged drawing.
+#[derive(Clone, Debug)]
+pub struct JudgedDrawing {
+    /// By entry.
+    pub verdicts: Vec<Verdict>,
+}
+
+impl JudgedDrawing {
+    /// The index of the first entry that is wrong.
+    #[must_use]
+    pub fn first_wrong(&self) -> Option<usize> {
+        self.verdicts.iter().position(|verdict| matches!(verdict, Verdict::Wrong(_)))
+    }
+}
+
+/// Why a drawing cannot be carried out: at which entry, and what is wrong with it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("entry {}: {message}", entry + 1)]
+pub struct BoardError {
+    /// The index of the entry.
+    pub entry: usize,
+    /// What is wrong.
+    pub message: Message,
+}
+
+/// A judge of drawings of one scene; may judge many.
+#[derive(Debug)]
+pub struct Judge {
+    given: Given,
+    others: Vec<Given>,
+    tolerance: Tolerance,
+    scales: PerSheet<f64>,
+}
+
+/// Size of a plan in millimetres where neither drawing nor scene has a scale for it.
+const USUAL_SIZE: f64 = 150.0;
+
+impl Judge {
+    /// A judge for the scene of an answer key.
+    #[must_use]
+    pub fn new(key: &AnswerKey<'_>) -> Judge {
+        let given = Given::new(key.solution);
+        let others = others(&given);
+        let fitting = |sheet| if given.size(sheet) > 0.0 { given.size(sheet) / USUAL_SIZE } else { 1.0 };
+        let scales = PerSheet::from_fn(|sheet| key.scales[sheet].unwrap_or_else(|| fitting(sheet)));
+        Judge { given, others, tolerance: key.tolerance, scales }
+    }
+
+    /// What the scene gives and means.
+    #[must_use]
+    pub fn given(&self) -> &Given {
+        &self.given
+    }
+
+    /// The scenes like it.
+    pub(super) fn others(&self) -> &[Given] {
+        &self.others
+    }
+
+    /// Limits of the errors of an honest hand.
+    pub(super) fn tolerance(&self) -> &Tolerance {
+        &self.tolerance
+    }
+
+    /// The scales of sheets of which a drawing says nothing.
+    pub(super) fn usual_scales(&self) -> PerSheet<f64> {
+        self.scales
+    }
+
+    /// The scales of a drawing's sheets, in units of the scene per millimetre.
+    #[must_use]
+    pub fn scales(&self, drawing: &HandDrawing) -> PerSheet<f64> {
+        let stated = |sheet: Sheet| drawing.mu[sheet].filter(|mu| mu.is_finite() && *mu > 0.0);
+        PerSheet::from_fn(|sheet| stated(sheet).unwrap_or(self.scales[sheet]))
+    }
+
+    /// The sheets as the hand drew them, up to the first entry that cannot be carried out.
+    #[must_use]
+    pub fn drawn(&self, drawing: &HandDrawing) -> (Table<'_>, Option<BoardError>) {
+        let mut table = Table::new(&self.given, self.scales(drawing));
+        for (entry, act) in standing(drawing) {
+            match table.carry_out_by_hand(act) {
+                Ok(made) => table.put(made),
+                Err(message) => return (table, Some(BoardError { entry, message })),
+            }
+        }
+        (table, None)
+    }
+
+    /// By entry: the step of Kinegon's construction that finds what it makes, or for which its line is crossed; 0 where none does.
+    #[must_use]
+    pub fn steps(&self, drawing: &HandDrawing) -> Vec<usize> {
+        let construction = self.given.construction();
+        let steps = construction.steps_of_quantities();
+        let of_point = |sheet: Sheet, name: &str| {
+            let order = sheet.order()?;
+            steps.get(&sheet.segment_name(order.pole(), name))
+        };
+        let mut found = vec![0; drawing.did.len()];
+        let mut table = Table::new(&self.given, self.scales(drawing));
+        let crossed = |line: &str| {
+            standing(drawing).find_map(|(_, entry)| match entry {
+                Entry::Cross(Cross { cross, of, .. }) if of.iter().any(|own| own == line) => Some(cross.as_str()),
+                _ => None,
+            })
+        };
+        for (index, entry) in standing(drawing) {
+            let Ok(made) = table.carry_out_by_hand(entry) else { break };
+            let step = match &made {
+                Made::Place(sheet, name, _) => of_point(*sheet, name),
+                Made::Line(name, line) => crossed(name).and_then(|point| of_point(line.sheet, point)),
+                Made::Numbers(all) => all.first().and_then(|(name, _)| steps.get(name)),
+            };
+            found[index] = step.map_or(0, |step| construction.step_number(*step));
+            table.put(made);
+        }
+        found
+    }
+}
+
+/// The entries that stand, with their indices.
+pub(super) fn standing(drawing: &HandDrawing) -> impl Iterator<Item = (usize, &Entry)> {
+    let stands = drawing.standing();
+    drawing.did.iter().enumerate().filter(move |(index, _)| stands[*index])
+}

@@ -1,0 +1,56 @@
+//! In: a scene and a [`HandDrawing`], what a hand did with ruler, set squares, dividers, pencil and calculator, operation by operation.
+//! Out: the sheets as they were drawn, and a verdict on each operation, with what was probably done at the first wrong one.
+//!
+//! In reading order: `file` and `formula` (the drawing as it is written), `given` (what the scene gives, and what every name means),
+//! `table` (the things made so far, and how one more entry is carried out), `reads` (what an entry uses), `others` (scenes like
+//! this one), `judge`, `cause` (the catalogue of mistakes, and what follows from the hand's own things).
+//!
+//! # Each operation by itself
+//!
+//! There are endless right ways to a plan, so no list of them is compared with; and a wrong way may hit by chance, so values alone are not
+//! compared either. Each entry is carried out with right inputs in place of the hand's own, in the scene and in others like it with
+//! other sizes, angles and rates: a point must be where its name says, a number must be what its name says, a line must go through the
+//! point for which it is used. The idea is that of constructions compared as functions (iGeom: D. Isotani, L. Brandão, 2008, equal outputs
+//! for moved inputs), but by operation, so that the first wrong one is known and what only follows from it is not blamed.
+
+mod alone;
+mod bench;
+mod blame;
+mod cause;
+mod direction;
+mod equations;
+mod file;
+mod form;
+mod formula;
+mod free_hand;
+mod given;
+mod hint;
+mod judge;
+mod others;
+mod reads;
+#[doc(hidden)] // for tests
+pub mod says;
+mod screen;
+mod slips;
+mod snap;
+mod table;
+mod told;
+mod writes;
+
+pub use direction::Direction;
+pub use file::{
+    Compute, Cross, Entry, HandDrawing, Join, LayOff, Like, Line, MOST_ENTRIES, Mark, Measure, Sense, Snap, Solve,
+    Undo, drawing_schema,
+};
+pub use formula::Formula;
+pub use given::Given;
+pub use hint::{BoardHint, STAGES};
+pub use judge::{BoardError, Judge, JudgedDrawing, Verdict, Wrong};
+pub use screen::{
+    Board, BoardEntry, BoardName, BoardNumber, BoardRefused, BoardSheet, BoardThing, FreeNames, NameKind, Screen,
+    ThingKind,
+};
+pub use snap::{Ghost, GhostKind, Pressed, Snapped};
+pub use table::{DrawnLine, Made, Table};
+pub use told::{DrawingResult, EntryResult, VerdictName};
+pub use writes::own_drawing;

@@ -1,0 +1,112 @@
+//! Which things an entry reads.
+
+use super::direction::Direction;
+use super::file::{Compute, Cross, Entry, Join, LayOff, Like, Line, Measure, Solve};
+use super::formula::Formula;
+use super::given::{image, usual};
+use super::table::{Table, Thing};
+use crate::scene::{Head, QuantityName};
+use crate::sheet::{Order, Sheet};
+
+/// The things that an entry reads from the table, by their sheets and names.
+pub(super) fn reads(entry: &Entry, table: &Table<'_>) -> Vec<Thing> {
+    let mut reads = Reads { table, all: Vec::new() };
+    match entry {
+        Entry::Join(Join { on, points, .. }) => points.iter().for_each(|point| reads.point(*on, point)),
+        Entry::Line(Line { on, through, along, .. }) => {
+            through.iter().for_each(|point| reads.point(*on, point));
+            along.iter().for_each(|along| reads.direction(*on, along));
+        }
+        Entry::Cross(Cross { of, .. }) => of.iter().for_each(|line| reads.name(line)),
+        Entry::LayOff(LayOff { on, from, size, along, .. }) => {
+            reads.point(*on, from);
+            reads.direction(*on, along);
+            reads.formula(size);
+        }
+        Entry::Like(Like { on, ends, points, .. }) => {
+            ends.iter().for_each(|point| reads.point(*on, point));
+            points.iter().for_each(|point| reads.point(Some(Sheet::Scheme), point));
+        }
+        Entry::Measure(Measure { on, from, to, .. }) => {
+            [from, to].into_iter().for_each(|point| reads.point(*on, point))
+        }
+        Entry::Compute(Compute { by, .. }) => by.iter().for_each(|formula| reads.formula(formula)),
+        Entry::Solve(Solve { solve, equations }) => {
+            for sides in equations.iter().filter_map(|text| Formula::sides(text).ok()) {
+                sides.iter().for_each(|side| reads.formula(side));
+            }
+            reads.all.retain(|(_, name)| !solve.contains(name));
+        }
+        Entry::Mark(_) | Entry::Undo(_) => {}
+    }
+    reads.all
+}
+
+struct Reads<'t, 'g> {
+    table: &'t Table<'g>,
+    all: Vec<Thing>,
+}
+
+impl Reads<'_, '_> {
+    fn name(&mut self, name: &str) {
+        self.all.push((None, name.to_owned()));
+    }
+
+    /// A point of this sheet, else of each that has it: an entry that says none is about the only one.
+    fn point(&mut self, on: Option<Sheet>, name: &str) {
+        let sheets = Sheet::ALL.into_iter().filter(|sheet| on.is_none_or(|on| on == *sheet));
+        let having = sheets.filter(|sheet| self.table.place(*sheet, name).is_some());
+        self.all.extend(having.map(|sheet| (Some(sheet), usual(sheet, name).to_owned())));
+    }
+
+    fn reference(&mut self, on: Option<Sheet>, name: &str) {
+        match name.split_once(',') {
+            Some((from, to)) => {
+                let (from, to) = (from.trim(), to.trim());
+                let on_scheme = [from, to].iter().all(|p| self.table.place(Sheet::Scheme, p).is_some());
+                let on = if on_scheme { Some(Sheet::Scheme) } else { on };
+                [from, to].into_iter().for_each(|point| self.point(on, point));
+            }
+            None => self.name(name),
+        }
+    }
+
+    fn direction(&mut self, on: Option<Sheet>, along: &Direction) {
+        match along {
+            Direction::Parallel { parallel: name } | Direction::Normal { normal: name } => self.reference(on, name),
+            Direction::Turned { turned, base } => {
+                turned.iter().chain([base]).for_each(|name| self.reference(on, name));
+            }
+            Direction::Angle { .. } => {}
+        }
+    }
+
+    fn formula(&mut self, formula: &Formula) {
+        for name in formula.names() {
+            self.name(name);
+            if self.table.numbers().any(|(own, _)| own == name) {
+                continue;
+            }
+            // What is measured on a sheet.
+            if let Some((sheet, ends)) = segment_of(name) {
+                ends.iter().for_each(|point| self.point(Some(sheet), point));
+            } else if let Some(quantity) = QuantityName::parse(name) {
+                let order = match quantity.head {
+                    Head::Velocity => Order::Velocity,
+                    Head::Acceleration => Order::Acceleration,
+                    _ => continue,
+                };
+                quantity.arguments.iter().for_each(|point| self.point(Some(order.sheet()), &image(point)));
+            }
+        }
+    }
+}
+
+/// The sheet and the ends of a length or a segment.
+pub(super) fn segment_of(name: &str) -> Option<(Sheet, [String; 2])> {
+    let name = QuantityName::parse(name).filter(QuantityName::is_plain)?;
+    match (name.head, name.arguments.as_slice()) {
+        (Head::Between(sheet), [from, to]) => Some((sheet, [from.clone(), to.clone()])),
+        _ => None,
+    }
+}

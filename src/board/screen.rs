@@ -1,0 +1,634 @@
+//! A drawing as a board on a screen shows it: its sheets, what can be pointed at, the numbers beside them, names to choose from.
+//! Places are in millimetres of a sheet from its upper left corner, y down, as in its picture.
+
+use super::file::{Entry, HandDrawing, LayOff};
+use super::judge::{BoardError, Judge, JudgedDrawing, Verdict};
+use super::reads::reads;
+use super::table::{DrawnLine, Made, Table, things};
+use crate::drawing::{
+    Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, RichText, SheetLabels, hand_sheet,
+    hand_sheets,
+};
+use crate::format::html_text;
+use crate::geometry::Vector;
+use crate::quantity::{QuantityRequest, readable_names};
+use crate::scene::QuantityName;
+use crate::sheet::{PerSheet, Sheet};
+use crate::words::{NumberStyle, Wording};
+use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// A drawing on a board.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Board {
+    /// The drawing's text; of no text that of an empty drawing.
+    pub drawing: String,
+    /// What the scene gives.
+    pub given: Vec<BoardNumber>,
+    /// The sheets.
+    pub sheets: Vec<BoardSheet>,
+    /// All that can be pointed at.
+    pub things: Vec<BoardThing>,
+    /// What a formula may use: what is given, what has been found, what may be measured.
+    pub numbers: Vec<BoardNumber>,
+    /// The names that mean something, in the order of the construction.
+    pub names: Vec<BoardName>,
+    /// The next free names of one's own.
+    pub free: FreeNames,
+    /// The entries of the drawing, in order.
+    pub did: Vec<BoardEntry>,
+    /// The first entry that cannot be carried out; none where all can.
+    pub refused: Option<BoardRefused>,
+}
+
+/// A sheet of a board.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct BoardSheet {
+    /// Which sheet.
+    pub sheet: Sheet,
+    /// Width in mm.
+    pub width: f64,
+    /// Height in mm.
+    pub height: f64,
+    /// Where the pole stands; none on the scheme.
+    pub pole: Option<[f64; 2]>,
+    /// Its scale in words.
+    pub scale: String,
+}
+
+/// Something that can be pointed at.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct BoardThing {
+    /// On which sheet.
+    pub sheet: Sheet,
+    /// What it is.
+    pub kind: ThingKind,
+    /// Its name, as entries call it.
+    pub name: String,
+    /// As the sheet writes it, in HTML.
+    pub label: String,
+    /// It in words, as `link 2`.
+    pub words: String,
+    /// Its outline, as the path of an SVG; empty for a point.
+    pub path: String,
+    /// A place of it.
+    pub at: [f64; 2],
+    /// The entry that made it; none for what is given.
+    pub entry: Option<usize>,
+}
+
+/// What can be pointed at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum ThingKind {
+    /// A point.
+    Point,
+    /// A line that was drawn.
+    Line,
+    /// A link, or two points of one.
+    Link,
+    /// A guide.
+    Guide,
+}
+
+/// A number beside the sheets.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct BoardNumber {
+    /// Its name in formulas.
+    pub name: String,
+    /// As the sheets write it, in HTML.
+    pub label: String,
+    /// Its value in figures.
+    pub value: String,
+    /// Its unit.
+    pub unit: String,
+    /// The entry that made it; none for what is given or can be measured.
+    pub entry: Option<usize>,
+}
+
+/// A name that means something.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct BoardName {
+    /// On which sheet; none of a number.
+    pub sheet: Option<Sheet>,
+    /// Of a point or of a number.
+    pub kind: NameKind,
+    /// The name.
+    pub name: String,
+    /// As the sheets write it, in HTML.
+    pub label: String,
+    /// Whether it is there already.
+    pub is_made: bool,
+}
+
+/// What a name is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum NameKind {
+    /// A point.
+    Point,
+    /// A number.
+    Number,
+}
+
+/// Names of one's own that are free.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct FreeNames {
+    /// For a line.
+    pub line: String,
+    /// For an auxiliary point.
+    pub point: String,
+    /// For a number.
+    pub number: String,
+}
+
+/// An entry on a board.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct BoardEntry {
+    /// What it does, with what came out.
+    pub words: String,
+    /// On which sheet; none for a computation.
+    pub sheet: Option<Sheet>,
+    /// Whether it has not been taken back.
+    pub stands: bool,
+    /// The entries whose results it uses.
+    pub needs: Vec<usize>,
+}
+
+/// An entry that cannot be carried out.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct BoardRefused {
+    /// Its index.
+    pub entry: usize,
+    /// Why.
+    pub message: String,
+}
+
+/// A judge with the papers on which drawings of its scene are shown.
+#[derive(Debug)]
+pub struct Screen {
+    /// The judge.
+    pub judge: Judge,
+    words: Wording,
+}
+
+/// How numbers beside the sheets are written.
+const NUMBERS: NumberStyle = NumberStyle::significant(4).trimmed();
+
+impl Screen {
+    /// A board for the scene of a judge; what it says is in the language of `words`.
+    #[must_use]
+    pub fn new(judge: Judge, words: Wording) -> Screen {
+        Screen { judge, words }
+    }
+
+    /// The text of an empty drawing of the scene.
+    #[must_use]
+    pub fn empty(&self) -> String {
+        let scales = self.judge.usual_scales();
+        let mut head = serde_json::Map::new();
+        head.insert("kinegon_drawing".to_owned(), 1.into());
+        for (sheet, mu) in scales.iter().filter(|(sheet, _)| self.shows(*sheet)) {
+            head.insert(sheet.facts().scale_key.to_owned(), (*mu).into());
+        }
+        head.insert("did".to_owned(), serde_json::Value::Array(Vec::new()));
+        serde_json::Value::Object(head).to_string() + "\n"
+    }
+
+    pub(super) fn language(&self) -> &'static crate::words::Language {
+        self.words.language
+    }
+
+    /// The language and the notation of what it says.
+    #[must_use]
+    pub fn words(&self) -> Wording {
+        self.words
+    }
+
+    fn shows(&self, sheet: Sheet) -> bool {
+        sheet == Sheet::Scheme || self.judge.given().construction().plan_on(sheet).is_some()
+    }
+
+    /// The paper of a sheet.
+    #[must_use]
+    pub fn paper(&self, sheet: Sheet, scales: PerSheet<f64>) -> Option<HandPaper> {
+        HandPaper::of(&self.judge.given().solution, sheet, scales[sheet])
+    }
+
+    /// All that a board shows of a drawing; `text` is that of the drawing.
+    #[must_use]
+    pub fn board(&self, text: String, drawing: &HandDrawing) -> Board {
+        let scales = self.judge.scales(drawing);
+        let (table, refused) = self.judge.drawn(drawing);
+        let makers = self.makers(drawing);
+        let papers: Vec<(Sheet, HandPaper)> =
+            Sheet::ALL.into_iter().filter_map(|sheet| Some((sheet, self.paper(sheet, scales)?))).collect();
+        let labels = SheetLabels::of(&self.judge.given().solution);
+        let numbers = Numbers { screen: self, labels: &labels, makers: &makers };
+        Board {
+            drawing: text,
+            given: numbers.given(&table),
+            sheets: papers.iter().map(|(sheet, paper)| self.sheet(*sheet, paper)).collect(),
+            things: self.things(&table, &papers, &makers, &labels),
+            numbers: numbers.all(&table),
+            names: self.names(&table, &labels),
+            free: free_names(&table),
+            did: self.entries(drawing, refused.as_ref()),
+            refused: refused.map(|BoardError { entry, message }| BoardRefused {
+                entry,
+                message: self.words.language.says(&message),
+            }),
+        }
+    }
+
+    fn sheet(&self, sheet: Sheet, paper: &HandPaper) -> BoardSheet {
+        let units = self.judge.given().solution.scene.units;
+        let mu = self.words.write(paper.mu, NUMBERS);
+        let unit = sheet.facts().drawn.unit(units);
+        BoardSheet {
+            sheet,
+            width: paper.size[0],
+            height: paper.size[1],
+            pole: sheet.order().map(|_| paper.origin),
+            scale: format!("1 mm = {mu} {unit}"),
+        }
+    }
+
+    /// By thing: the entry that made it.
+    fn makers(&self, drawing: &HandDrawing) -> BTreeMap<(Option<Sheet>, String), usize> {
+        let mut table = Table::new(self.judge.given(), self.judge.scales(drawing));
+        let mut makers = BTreeMap::new();
+        for (index, stands) in drawing.standing().into_iter().enumerate() {
+            if let (true, Ok(made)) = (stands, table.carry_out_by_hand(&drawing.did[index])) {
+                things(&made).into_iter().for_each(|thing| {
+                    makers.insert(thing, index);
+                });
+                table.put(made);
+            }
+        }
+        makers
+    }
+
+    fn things(
+        &self,
+        table: &Table<'_>,
+        papers: &[(Sheet, HandPaper)],
+        makers: &BTreeMap<(Option<Sheet>, String), usize>,
+        labels: &SheetLabels<'_>,
+    ) -> Vec<BoardThing> {
+        let mut all = Vec::new();
+        for (sheet, paper) in papers {
+            for (name, place) in table.places(*sheet) {
+                all.push(BoardThing {
+                    sheet: *sheet,
+                    kind: ThingKind::Point,
+                    name: name.to_owned(),
+                    label: self.point_label(*sheet, name, labels),
+                    words: name.to_owned(),
+                    path: String::new(),
+                    at: paper.at(place),
+                    entry: makers.get(&(Some(*sheet), name.to_owned())).copied(),
+                });
+            }
+            for (name, line) in table.lines().filter(|(_, line)| line.sheet == *sheet) {
+                let ends = across(line, paper);
+                all.push(BoardThing {
+                    sheet: *sheet,
+                    kind: ThingKind::Line,
+                    name: name.to_owned(),
+                    label: html_text(&RichText::math(&crate::construction::display(name))),
+                    words: self.words.language.says(&super::says::drawn_line(name)),
+                    path: path(&ends),
+                    at: middle(&ends),
+                    entry: makers.get(&(None, name.to_owned())).copied(),
+                });
+            }
+        }
+        if let Some((_, paper)) = papers.iter().find(|(sheet, _)| *sheet == Sheet::Scheme) {
+            all.extend(self.references(table).into_iter().map(|reference| {
+                let ends = reference.ends.map(|end| paper.at(end));
+                BoardThing {
+                    sheet: Sheet::Scheme,
+                    kind: reference.kind,
+                    label: html_text(&RichText::plain(&reference.name.replace(',', ""))),
+                    words: self.words.language.says(&reference.words),
+                    name: reference.name,
+                    path: path(&ends),
+                    at: middle(&ends),
+                    entry: None,
+                }
+            }));
+        }
+        all
+    }
+
+    /// What gives directions on the scheme: links, pairs of points of larger ones, guides.
+    pub(super) fn references(&self, table: &Table<'_>) -> Vec<Reference> {
+        let given = self.judge.given();
+        let mechanism = given.mechanism();
+        let place = |name: &str| table.place(Sheet::Scheme, name);
+        let mut all = Vec::new();
+        for (id, body) in mechanism.links() {
+            let mut points: Vec<&str> = body.points.iter().map(|point| mechanism.point_name(*point)).collect();
+            if let ([from, to], Some(Ok(_))) = (points.as_slice(), given.direction(&body.name))
+                && let (Some(from), Some(to)) = (place(from), place(to))
+            {
+                let words = super::says::link(&body.name);
+                all.push(Reference { name: body.name.clone(), kind: ThingKind::Link, words, ends: [from, to] });
+            }
+            let is_pair = points.len() == 2;
+            let special = given.construction().special.iter().filter(|special| special.link == id);
+            points.extend(special.map(|special| special.name.as_str()));
+            for (at, from) in points.iter().enumerate() {
+                for to in &points[at + 1..] {
+                    let is_whole = is_pair && points[..2].contains(from) && points[..2].contains(to);
+                    if let (Some(start), Some(end), false) = (place(from), place(to), is_whole) {
+                        let (name, words) = (format!("{from},{to}"), format!("{from}{to}").into());
+                        all.push(Reference { name, kind: ThingKind::Link, words, ends: [start, end] });
+                    }
+                }
+            }
+        }
+        let half = 0.12 * given.size(Sheet::Scheme);
+        for id in mechanism.slider_ids() {
+            let name = mechanism.slider_name(id);
+            let at = place(mechanism.point_name(mechanism.slider(id).at));
+            if let (Some(Ok(along)), Some(at)) = (given.direction(&name), at) {
+                let words = super::says::guide(&name);
+                let ends = [at - along * half, at + along * half];
+                all.push(Reference { name, kind: ThingKind::Guide, words, ends });
+            }
+        }
+        all
+    }
+
+    pub(super) fn point_label(&self, sheet: Sheet, name: &str, labels: &SheetLabels<'_>) -> String {
+        match self.judge.given().construction().plan_on(sheet) {
+            Some(plan) => html_text(&labels.plan_point(plan, name)),
+            None => html_text(&RichText::math(&crate::construction::display(name))),
+        }
+    }
+
+    fn names(&self, table: &Table<'_>, labels: &SheetLabels<'_>) -> Vec<BoardName> {
+        let given = self.judge.given();
+        let mut all = Vec::new();
+        for sheet in Sheet::ALL {
+            for (name, _) in given.places(sheet) {
+                let is_made = table.place(sheet, name).is_some();
+                let label = self.point_label(sheet, name, labels);
+                all.push(BoardName {
+                    sheet: Some(sheet),
+                    kind: NameKind::Point,
+                    name: name.to_owned(),
+                    label,
+                    is_made,
+                });
+            }
+        }
+        let made: Vec<&str> = table.numbers().map(|(name, _)| name).collect();
+        for name in readable_names(&given.solution) {
+            let name = name.trim_end_matches(".size").to_owned();
+            let Some(quantity) = QuantityName::parse(&name) else { continue };
+            if quantity.component.is_some() || given.given_number(&name).is_some() {
+                continue;
+            }
+            let Ok(asked) = QuantityRequest::new(&name, given.mechanism()) else { continue };
+            let is_made = made.contains(&name.as_str());
+            let label = html_text(&labels.quantity(&asked));
+            all.push(BoardName { sheet: None, kind: NameKind::Number, name, label, is_made });
+        }
+        all
+    }
+
+    fn entries(&self, drawing: &HandDrawing, refused: Option<&BoardError>) -> Vec<BoardEntry> {
+        let stands = drawing.standing();
+        let mut table = Table::new(self.judge.given(), self.judge.scales(drawing));
+        let language = self.words.language;
+        let mut makers = BTreeMap::new();
+        let told = |(index, entry): (usize, &Entry)| {
+            let mut words = language.says(&entry.told(&self.judge));
+            let (mut sheet, mut needs) = (None, Vec::new());
+            let is_carried_out = stands[index] && refused.is_none_or(|refused| index < refused.entry);
+            if let (true, Ok(made)) = (is_carried_out, table.carry_out_by_hand(entry)) {
+                match &made {
+                    Made::Place(on, ..) => sheet = Some(*on),
+                    Made::Line(_, line) => sheet = Some(line.sheet),
+                    Made::Numbers(all) => {
+                        let values: Vec<String> = all.iter().map(|(name, number)| self.value(name, *number)).collect();
+                        words = format!("{words}: {}", values.join("; "));
+                    }
+                }
+                needs.extend(reads(entry, &table).iter().filter_map(|thing| makers.get(thing).copied()));
+                needs.sort_unstable();
+                needs.dedup();
+                makers.extend(things(&made).into_iter().map(|thing| (thing, index)));
+                table.put(made);
+            }
+            BoardEntry { words, sheet, stands: stands[index], needs }
+        };
+        drawing.did.iter().enumerate().map(told).collect()
+    }
+
+    /// A number with its unit.
+    fn value(&self, name: &str, number: f64) -> String {
+        format!("{} {}", self.words.write(number, NUMBERS), self.unit(name)).trim_end().to_owned()
+    }
+
+    fn unit(&self, name: &str) -> String {
+        let kind = QuantityName::parse(name).map(|name| name.head.kind());
+        kind.map_or_else(String::new, |kind| kind.unit(self.judge.given().solution.scene.units))
+    }
+
+    /// What a hand has drawn on a sheet by the first `until` entries, with what a judge has found.
+    #[must_use]
+    pub fn hand(
+        &self,
+        drawing: &HandDrawing,
+        sheet: Sheet,
+        until: Option<usize>,
+        judged: Option<&JudgedDrawing>,
+    ) -> HandSheet {
+        let mut hand = HandSheet { sheet, lines: Vec::new(), vectors: Vec::new(), points: Vec::new() };
+        let mut shown = drawing.clone();
+        shown.did.truncate(until.unwrap_or(drawing.did.len()));
+        let stands = shown.standing();
+        let mut table = Table::new(self.judge.given(), self.judge.scales(drawing));
+        for (index, entry) in shown.did.iter().enumerate().filter(|(index, _)| stands[*index]) {
+            let Ok(made) = table.carry_out_by_hand(entry) else { break };
+            let look = judged.map_or(HandLook::Drawn, |judged| look(&judged.verdicts[index]));
+            match (&made, entry) {
+                (Made::Place(on, name, at), entry) if *on == sheet => {
+                    if let Entry::LayOff(LayOff { from, .. }) = entry
+                        && let Some(from) = table.place(sheet, from)
+                    {
+                        hand.vectors.push(HandVector { from, to: *at, look });
+                    }
+                    hand.points.push(HandPoint { name: name.clone(), at: *at, look });
+                }
+                (Made::Line(name, line), _) if line.sheet == sheet => {
+                    hand.lines.push(HandLine { name: name.clone(), at: line.at, along: line.along, look });
+                }
+                _ => {}
+            }
+            table.put(made);
+        }
+        hand
+    }
+
+    /// The picture of a sheet; `letters` is their height in millimetres.
+    #[must_use]
+    pub fn picture(
+        &self,
+        drawing: &HandDrawing,
+        sheet: Sheet,
+        until: Option<usize>,
+        letters: f64,
+        judged: Option<&JudgedDrawing>,
+    ) -> Option<Drawing> {
+        let paper = self.paper(sheet, self.judge.scales(drawing))?;
+        let hand = self.hand(drawing, sheet, until, judged);
+        Some(hand_sheet(&self.judge.given().solution, &hand, &paper, letters))
+    }
+
+    /// The plans on sheets of paper, as those of an exercise; `name` stands in their codes.
+    #[must_use]
+    pub fn sheets(&self, drawing: &HandDrawing, judged: Option<&JudgedDrawing>, name: &str) -> Vec<Drawing> {
+        let scales = self.judge.scales(drawing);
+        let plans = Sheet::ALL.into_iter().filter(|sheet| sheet.order().is_some() && self.shows(*sheet));
+        let hands: Vec<HandSheet> = plans.map(|sheet| self.hand(drawing, sheet, None, judged)).collect();
+        hand_sheets(&self.judge.given().solution, &hands, &scales.map(Some), name)
+    }
+}
+
+fn look(verdict: &Verdict) -> HandLook {
+    match verdict {
+        Verdict::Wrong(_) => HandLook::Wrong,
+        Verdict::Follows => HandLook::Following,
+        Verdict::Right | Verdict::Unused | Verdict::Undone => HandLook::Drawn,
+    }
+}
+
+/// What gives a direction on the scheme.
+pub(super) struct Reference {
+    /// As entries call it.
+    pub name: String,
+    pub kind: ThingKind,
+    pub words: crate::Message,
+    pub ends: [Vector; 2],
+}
+
+/// The numbers of a board.
+struct Numbers<'s> {
+    screen: &'s Screen,
+    labels: &'s SheetLabels<'s>,
+    makers: &'s BTreeMap<(Option<Sheet>, String), usize>,
+}
+
+impl Numbers<'_> {
+    fn number(&self, name: &str, number: f64, entry: Option<usize>) -> BoardNumber {
+        let given = self.screen.judge.given();
+        // A name of somebody's own is a stranger's text.
+        let label = match QuantityRequest::new(name, given.mechanism()) {
+            Ok(asked) => self.labels.quantity(&asked),
+            Err(_) => RichText::verbatim(name.to_owned()),
+        };
+        BoardNumber {
+            name: name.to_owned(),
+            label: html_text(&label),
+            value: self.screen.words.write(number, NUMBERS),
+            unit: self.screen.unit(name),
+            entry,
+        }
+    }
+
+    /// Rates of drives, and lengths between points of links.
+    fn given(&self, table: &Table<'_>) -> Vec<BoardNumber> {
+        let given = self.screen.judge.given();
+        let mechanism = given.mechanism();
+        let mut names: Vec<String> = Vec::new();
+        for (id, body) in mechanism.links().filter(|(id, _)| mechanism.is_known(*id)) {
+            let _ = id;
+            names.extend(["omega", "alpha"].map(|head| format!("{head}({})", body.name)));
+        }
+        for id in mechanism.slider_ids().filter(|id| mechanism.slider(*id).drive.is_some()) {
+            names.extend(["v_r", "a_r"].map(|head| format!("{head}({})", mechanism.slider_name(id))));
+        }
+        for body in &mechanism.bodies {
+            let points: Vec<&str> = body.points.iter().map(|point| mechanism.point_name(*point)).collect();
+            for (at, from) in points.iter().enumerate() {
+                names.extend(points[at + 1..].iter().map(|to| format!("L({from},{to})")));
+            }
+        }
+        let known: IndexMap<String, f64> =
+            names.into_iter().filter_map(|name| Some((name.clone(), table.known(&name)?))).collect();
+        known
+            .iter()
+            .filter(|(_, number)| **number != 0.0)
+            .map(|(name, number)| self.number(name, *number, None))
+            .collect()
+    }
+
+    fn all(&self, table: &Table<'_>) -> Vec<BoardNumber> {
+        let mut all = self.given(table);
+        all.extend(
+            table
+                .numbers()
+                .map(|(name, number)| self.number(name, number, self.makers.get(&(None, name.to_owned())).copied())),
+        );
+        // Segments between points that are there, from the pole on.
+        for sheet in Sheet::ALL {
+            let Some(order) = sheet.order() else { continue };
+            let own: Vec<&str> = table
+                .places(sheet)
+                .map(|(name, _)| name)
+                .filter(|name| self.makers.contains_key(&(Some(sheet), (*name).to_owned())))
+                .collect();
+            for (at, to) in own.iter().enumerate() {
+                for from in std::iter::once(&order.pole()).chain(&own[..at]) {
+                    let name = sheet.segment_name(from, to);
+                    let is_measured = all.iter().any(|number| number.name == name);
+                    if let (Some(number), false) = (table.known(&name), is_measured) {
+                        all.push(self.number(&name, number, None));
+                    }
+                }
+            }
+        }
+        all
+    }
+}
+
+fn free_names(table: &Table<'_>) -> FreeNames {
+    let free = |letter: &str, is_taken: &dyn Fn(&str) -> bool| {
+        let mut names = (1..).map(|number| format!("{letter}{number}"));
+        names.find(|name| !is_taken(name)).unwrap_or_default()
+    };
+    let is_point = |name: &str| Sheet::ALL.into_iter().any(|sheet| table.place(sheet, name).is_some());
+    FreeNames {
+        line: free("r", &|name| table.lines().any(|(own, _)| own == name)),
+        point: free("h", &is_point),
+        number: free("m", &|name| table.numbers().any(|(own, _)| own == name)),
+    }
+}
+
+/// Where a line enters and leaves its sheet, or goes on beyond where it misses it.
+pub(super) fn across(line: &DrawnLine, paper: &HandPaper) -> [[f64; 2]; 2] {
+    let [x, y] = paper.at(line.at);
+    let along = kurbo::Vec2::new(line.along.x, -line.along.y);
+    let (at, reach) = (kurbo::Point::new(x, y), 2.0 * (paper.size[0] + paper.size[1]) + x.abs() + y.abs());
+    let room = kurbo::Rect::new(0.0, 0.0, paper.size[0], paper.size[1]);
+    let clipped = crate::drawing::clip::clipped_segment(room, at - along * reach, at + along * reach);
+    let (a, b) = clipped.unwrap_or((at - along, at + along));
+    [[a.x, a.y], [b.x, b.y]]
+}
+
+/// A straight line as the path of an SVG.
+pub(super) fn path(ends: &[[f64; 2]; 2]) -> String {
+    let [[a, b], [c, d]] = ends.map(|end| end.map(|mm| libm::round(mm * 100.0) / 100.0));
+    format!("M{a} {b}L{c} {d}")
+}
+
+pub(super) fn middle([a, b]: &[[f64; 2]; 2]) -> [f64; 2] {
+    [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]
+}

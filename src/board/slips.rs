@@ -1,0 +1,473 @@
+//! Slips within one operation: another number in its formula, a factor, a sign, another point, a misread ruler. Each is undone, and where
+//! the operation is right then, it was that.
+
+use super::direction::Direction;
+use super::file::{Compute, Entry, LayOff, Like, Measure, Solve};
+use super::formula::Formula;
+use super::table::{Made, Table};
+use crate::check::Told;
+use crate::check::tell;
+use crate::check::{Blank, Mistake};
+use crate::geometry::{Vector, cross};
+use crate::quantity::QuantityRequest;
+use crate::scene::{Head, QuantityName};
+use crate::sheet::{Order, Sheet};
+
+/// An operation in the scene with right inputs, and what it should have made.
+pub(super) struct Slip<'s, 'g> {
+    /// The right things.
+    pub table: &'s Table<'g>,
+    /// The entry as it was written.
+    pub entry: &'s Entry,
+    /// What it makes with right inputs.
+    pub alone: &'s Made,
+    /// What it should make.
+    pub right: Made,
+    /// What numbers may differ by, in parts: typed ones have three digits or more.
+    pub tolerance: f64,
+}
+
+impl Slip<'_, '_> {
+    /// What was probably done; `None` where no slip explains it.
+    pub fn told(&self) -> Option<Told> {
+        match (self.entry, self.alone, &self.right) {
+            (Entry::Measure(measure), Made::Numbers(found), Made::Numbers(right)) => {
+                self.measured(measure, found.first()?, right.first()?.1)
+            }
+            (Entry::Compute(compute), Made::Numbers(found), Made::Numbers(right)) => {
+                self.computed(compute, found.first()?, right.first()?.1)
+            }
+            (Entry::Solve(solve), _, Made::Numbers(right)) => self.solved(solve, right),
+            (Entry::LayOff(laid), Made::Place(sheet, name, at), Made::Place(_, _, right)) => {
+                self.laid_off(laid, *sheet, name, [*at, *right])
+            }
+            (Entry::Like(like), _, Made::Place(sheet, _, right)) => self.image(like, *sheet, *right),
+            _ => None,
+        }
+    }
+
+    fn is_same(&self, a: f64, b: f64) -> bool {
+        a.is_finite() && (a - b).abs() <= self.tolerance * a.abs().max(b.abs())
+    }
+
+    /// A segment that was measured between other points, or read otherwise than it is.
+    fn measured(&self, measure: &Measure, (name, found): &(String, f64), right: f64) -> Option<Told> {
+        let (sheet, ends) = super::reads::segment_of(name).or_else(|| {
+            let sheet = measure.on?;
+            Some((sheet, [measure.from.clone(), measure.to.clone()]))
+        })?;
+        let quantity = || Blank::Quantity(name.clone());
+        if !self.is_same(*found, right) {
+            let at = |end: &String| Blank::from(end.as_str());
+            let is_other = |ends: &[String; 2]| {
+                let place = |name: &String| self.table.given.place(sheet, name);
+                place(&ends[0]) != place(&measure.from) || place(&ends[1]) != place(&measure.to)
+            };
+            let turned = [ends[1].clone(), ends[0].clone()];
+            return (is_other(&ends) && is_other(&turned)).then(|| match sheet {
+                Sheet::Scheme => tell::wrong_length(Blank::Symbol(name.clone()), at(&measure.from), at(&measure.to)),
+                _ => tell::wrong_segment(quantity(), at(&measure.from), at(&measure.to)),
+            });
+        }
+        None
+    }
+
+    /// Of a number that was read off the drawing: `drawn` is what the drawing has.
+    pub fn misread(table: &Table<'_>, measure: &Measure, sheet: Sheet, read: f64) -> Option<Told> {
+        let name = &measure.measure;
+        let [from, to] = [table.place(sheet, &measure.from)?, table.place(sheet, &measure.to)?];
+        let (run, drawn) = (to - from, (to - from).norm());
+        let near = |x: f64| (x.abs() - read.abs()).abs() <= 0.02 * drawn.min(x.abs());
+        let [start, end] = [&measure.from, &measure.to].map(|end| Blank::from(end.as_str()));
+        let quantity = Blank::Quantity(name.clone());
+        if near(run.x) {
+            return Some(tell::component(quantity, Blank::Horizontal, start, end));
+        }
+        if near(run.y) {
+            return Some(tell::component(quantity, Blank::Vertical, start, end));
+        }
+        written_otherwise(name, read, drawn, 0.012)
+    }
+
+    fn computed(&self, compute: &Compute, (name, found): &(String, f64), right: f64) -> Option<Told> {
+        let is_rate = super::bench::turns(name);
+        let is_turned =
+            self.is_same(*found, -right) || (self.tolerance > 1e-3 && (found + right).abs() < 0.1 * right.abs());
+        if is_turned && (is_rate || name.starts_with("v_r") || name.starts_with("a_r")) {
+            return Some(tell::wrong_sense(Blank::Symbol(name.clone())));
+        }
+        let factor = || self.factor(name, compute.by.as_ref(), *found, right);
+        let of_formula = || compute.by.as_ref().and_then(|by| self.formula(by, name, right));
+        // A number that stands in a formula is rather a factor too many.
+        let has_numbers = compute.by.as_ref().is_some_and(Formula::has_numbers);
+        let told = if has_numbers { factor().or_else(of_formula) } else { of_formula().or_else(factor) };
+        told.or_else(|| {
+            let is_typed = compute.by.is_none();
+            is_typed.then(|| written_otherwise(name, *found, right, self.tolerance)).flatten()
+        })
+    }
+
+    /// Equations in which another length or segment stands than should.
+    fn solved(&self, solve: &Solve, right: &[(String, f64)]) -> Option<Told> {
+        let unknown = |name: &str| right.iter().find(|(own, _)| own == name).map(|(_, number)| *number);
+        solve.equations.iter().find_map(|text| {
+            let [left, other] = Formula::sides(text).ok()?;
+            let remains = |exchanged: &str, by: f64| -> Option<f64> {
+                let mut number = |own: &str| match unknown(own) {
+                    _ if own == exchanged => Ok(by),
+                    Some(number) => Ok(number),
+                    None => self.table.number(own),
+                };
+                let [a, b] = [left.value(&mut number).ok()?, other.value(&mut number).ok()?];
+                Some((a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE))
+            };
+            if remains("", 0.0)? <= self.tolerance {
+                return None;
+            }
+            self.exchanged(&[&left, &other], &|own, by| remains(own, by).is_some_and(|rest| rest <= self.tolerance))
+        })
+    }
+
+    /// A vector of a wrong size, sense or start.
+    fn laid_off(&self, laid: &LayOff, sheet: Sheet, name: &str, [at, right]: [Vector; 2]) -> Option<Told> {
+        let start = self.table.place(sheet, &laid.from)?;
+        let (found, meant) = (at - start, right - start);
+        if let Some((from, vector)) = self.vector_to(sheet, name)
+            && self.table.place(sheet, &from) != Some(start)
+            && (found - vector).norm() <= self.tolerance * vector.norm()
+        {
+            return Some(tell::vector_from_wrong_point(name.into(), laid.from.as_str().into(), from.as_str().into()));
+        }
+        if let Some(start) = self.other_start(sheet, right - found).filter(|other| *other != laid.from) {
+            let is_known =
+                self.table.given.vectors(sheet).iter().any(|v| (found - v).norm() <= self.tolerance * v.norm());
+            if is_known {
+                return Some(tell::vector_from_wrong_point(name.into(), laid.from.as_str().into(), start.into()));
+            }
+        }
+        let is_along = cross(found, meant).abs() <= 10.0 * self.tolerance * found.norm() * meant.norm();
+        if !is_along || meant.norm() == 0.0 {
+            return None;
+        }
+        let ratio = found.dot(&meant) / meant.norm_squared();
+        let sign = self.table.formula(&laid.size).ok()?.signum() * ratio.signum();
+        if self.is_same(ratio, -1.0) {
+            let [from, to] = [Blank::from(laid.from.as_str()), Blank::from(name)];
+            let is_normal = sheet == Sheet::Acceleration && matches!(laid.along, Direction::Parallel { .. });
+            let length = laid.size.names().into_iter().find(|name| name.starts_with("L("));
+            return Some(match length {
+                Some(length) if is_normal => {
+                    tell::normal_outward(from, to, self.rate_of(&laid.size), Blank::Symbol(length.to_owned()))
+                }
+                _ => tell::reversed_vector(from, to),
+            });
+        }
+        let formula = || self.formula(&laid.size, name, meant.norm() * sign);
+        let factor = || self.factor(name, Some(&laid.size), ratio * meant.norm(), meant.norm());
+        let told = if laid.size.has_numbers() { factor().or_else(formula) } else { formula().or_else(factor) };
+        told.or_else(|| self.normal(laid, sheet, name, found.norm(), meant.norm()))
+    }
+
+    /// A normal part whose size was worked out otherwise: with ω, the ω of another link, an absolute velocity, the diameter.
+    fn normal(&self, laid: &LayOff, sheet: Sheet, name: &str, found: f64, right: f64) -> Option<Told> {
+        let given = self.table.given;
+        let mechanism = given.mechanism();
+        let [from, to] = [Blank::from(laid.from.as_str()), Blank::from(name)];
+        let pairs = mechanism.links().flat_map(|(id, body)| {
+            let names: Vec<String> = body.points.iter().map(|p| mechanism.point_name(*p).to_owned()).collect();
+            let ends = names.clone();
+            names.into_iter().flat_map(move |a| ends.clone().into_iter().map(move |b| (id, a.clone(), b)))
+        });
+        for (id, a, b) in pairs.filter(|(_, a, b)| sheet == Sheet::Acceleration && a != b) {
+            let part = given.number(&format!("a_n({a}/{b})")).unwrap_or(0.0);
+            if !self.is_same(part, right) || part == 0.0 {
+                continue;
+            }
+            let length = given.number(&format!("L({a},{b})"))?;
+            let link = &mechanism.body(id).name;
+            let [rate, arm] = [format!("omega({link})"), format!("L({a},{b})")].map(Blank::Symbol);
+            let omega = given.number(&format!("omega({link})"))?.abs();
+            if self.is_same(found, omega * length) {
+                return Some(tell::omega_not_squared(from, to, rate, arm));
+            }
+            let absolute = [&a, &b].into_iter().find(|point| {
+                let velocity = given.number(&format!("v({point})")).unwrap_or(0.0);
+                self.is_same(found, velocity * velocity / length)
+            });
+            if let Some(point) = absolute {
+                let image = super::given::image(point);
+                return Some(tell::normal_from_absolute(from, to, rate, arm, image.as_str().into()));
+            }
+            let other = mechanism.links().map(|(_, body)| format!("omega({})", body.name)).find(|other| {
+                let omega = given.number(other).unwrap_or(0.0);
+                self.is_same(found, omega * omega * length)
+            });
+            if let Some(other) = other {
+                return Some(tell::omega_of_another_link(from, to, rate, arm, Blank::Symbol(other)));
+            }
+            if self.is_same(found, 2.0 * right) {
+                return Some(tell::diameter(from, to, rate, arm));
+            }
+        }
+        None
+    }
+
+    /// The point at a place, from which a vector should have been laid off.
+    fn other_start(&self, sheet: Sheet, at: Vector) -> Option<&str> {
+        let near = self.tolerance.max(1e-6) * self.table.given.size(sheet);
+        self.table.given.places(sheet).find(|(_, place)| (place - at).norm() <= near).map(|(name, _)| name)
+    }
+
+    /// The vector of the construction that leads to a point, and where it begins.
+    fn vector_to(&self, sheet: Sheet, name: &str) -> Option<(String, Vector)> {
+        let construction = self.table.given.construction();
+        let arrow = construction.arrows(sheet).find(|arrow| arrow.to == name)?;
+        let vector = self.table.given.place(sheet, &arrow.to)? - self.table.given.place(sheet, &arrow.from)?;
+        Some((arrow.from.clone(), vector))
+    }
+
+    /// A formula in which one number stands for another: it is exchanged until the formula is right.
+    fn formula(&self, formula: &Formula, name: &str, right: f64) -> Option<Told> {
+        let value = |exchanged: &str, by: f64| {
+            formula.value(&mut |own| if own == exchanged { Ok(by) } else { self.table.number(own) }).ok()
+        };
+        let is_right =
+            |exchanged: &str, by: f64| value(exchanged, by).is_some_and(|x| self.is_same(x.abs(), right.abs()));
+        let mechanism = self.table.given.mechanism();
+        let symbol = |name: &str| Blank::Symbol(name.to_owned());
+        let ends = || [self.start_of(name), Blank::from(name)];
+        let length = || formula.names().into_iter().find(|name| name.starts_with("L(")).map_or("".into(), symbol);
+        let omegas: Vec<String> = mechanism.links().map(|(_, body)| format!("omega({})", body.name)).collect();
+        for own in formula.names() {
+            let Some(quantity) = QuantityName::parse(own) else { continue };
+            let Ok(now) = self.table.number(own) else { continue };
+            match quantity.head {
+                Head::Omega => {
+                    if is_right(own, now * now) {
+                        let [from, to] = ends();
+                        return Some(tell::omega_not_squared(from, to, symbol(own), length()));
+                    }
+                    let other = omegas.iter().find(|other| {
+                        let other_value = self.table.given.number(other);
+                        *other != own && other_value.is_some_and(|value| value != 0.0 && is_right(own, value))
+                    });
+                    if let Some(other) = other {
+                        let [from, to] = ends();
+                        return Some(tell::omega_of_another_link(from, to, symbol(other), length(), symbol(own)));
+                    }
+                }
+                Head::Velocity if quantity.arguments.len() == 1 => {
+                    let other = segments(self.table, Order::Velocity).into_iter().find(|(_, v)| is_right(own, *v));
+                    if other.is_some() {
+                        let [from, to] = ends();
+                        let image = super::given::image(&quantity.arguments[0]);
+                        return Some(tell::normal_from_absolute(
+                            from,
+                            to,
+                            self.rate_of(formula),
+                            length(),
+                            image.as_str().into(),
+                        ));
+                    }
+                }
+                _ => {}
+            }
+        }
+        let exchanged = self.exchanged(&[formula], &is_right)?;
+        // The velocity in a normal part is that of one point relative to the other.
+        let pole = formula.names().into_iter().find_map(|own| {
+            let (sheet, ends) = super::reads::segment_of(own).filter(|(sheet, _)| *sheet == Sheet::Velocity)?;
+            let absolute = ends.iter().position(|end| self.table.given.place(sheet, end) == Some(Vector::zeros()))?;
+            Some(ends[1 - absolute].clone())
+        });
+        let is_normal = formula.names().iter().any(|name| name.starts_with("L("));
+        match pole {
+            Some(point) if is_normal && exchanged.mistake == Mistake::WrongSegment && formula.has_power() => {
+                let [from, to] = ends();
+                Some(tell::normal_from_absolute(from, to, self.rate_of(formula), length(), point.as_str().into()))
+            }
+            _ => Some(exchanged),
+        }
+    }
+
+    /// The angular velocity of the link whose length stands in a formula.
+    fn rate_of(&self, formula: &Formula) -> Blank {
+        let mechanism = self.table.given.mechanism();
+        let ends = formula.names().into_iter().find_map(super::reads::segment_of).map(|(_, ends)| ends);
+        let link = ends.and_then(|ends| {
+            let points = [mechanism.point(&ends[0])?, mechanism.point(&ends[1])?];
+            mechanism.links().find(|(_, body)| points.iter().all(|point| body.points.contains(point)))
+        });
+        link.map_or("".into(), |(_, body)| Blank::Symbol(format!("omega({})", body.name)))
+    }
+
+    /// A length or a segment that stands for another, which would be right.
+    fn exchanged(&self, formulas: &[&Formula], is_right: &dyn Fn(&str, f64) -> bool) -> Option<Told> {
+        formulas.iter().flat_map(|formula| formula.names()).find_map(|own| {
+            let (sheet, ends) = super::reads::segment_of(own)?;
+            let all = match sheet.order() {
+                None => lengths(self.table),
+                Some(order) => segments(self.table, order),
+            };
+            let (other, _) = all.into_iter().find(|(_, length)| is_right(own, *length))?;
+            let [from, to] = ends.each_ref().map(|end| Blank::from(end.as_str()));
+            Some(match sheet {
+                Sheet::Scheme => tell::wrong_length(Blank::Symbol(other), from, to),
+                _ => tell::wrong_segment(Blank::Quantity(other), from, to),
+            })
+        })
+    }
+
+    /// A factor that should not be there.
+    fn factor(&self, name: &str, formula: Option<&Formula>, found: f64, right: f64) -> Option<Told> {
+        let ratio = (found / right).abs();
+        let names: Vec<&str> = formula.map_or_else(Vec::new, Formula::names);
+        let rate = names.iter().find(|name| super::bench::turns(name));
+        let rate = rate.map_or_else(|| Blank::Symbol(self.first_rate()), |rate| Blank::Symbol((*rate).to_owned()));
+        let revolutions = 30.0 / std::f64::consts::PI;
+        let powers = [revolutions, revolutions * revolutions];
+        if powers.iter().any(|factor| self.is_same(ratio, *factor) || self.is_same(ratio, 1.0 / factor)) {
+            return Some(tell::revolutions_for_radians(rate));
+        }
+        for (factor, tell) in
+            [(2.0, tell::diameter_throughout as fn(Blank) -> Told), (0.5, tell::half_the_radius as fn(Blank) -> Told)]
+        {
+            if self.is_same(ratio, factor) && self.is_of_crank(name, right) {
+                let length = names.iter().find(|name| name.starts_with("L("));
+                let length = length.map_or_else(|| self.crank_length(), |length| Some((*length).to_owned()));
+                return Some(tell(Blank::Symbol(length?)));
+            }
+        }
+        written_otherwise(name, found, right, self.tolerance)
+    }
+
+    /// The first rate that the scene gives.
+    fn first_rate(&self) -> String {
+        let mechanism = self.table.given.mechanism();
+        let mut known = mechanism.links().filter(|(id, _)| mechanism.is_known(*id));
+        known.next().map_or_else(String::new, |(_, body)| format!("omega({})", body.name))
+    }
+
+    fn crank_length(&self) -> Option<String> {
+        let mechanism = self.table.given.mechanism();
+        let (_, body) = mechanism.links().find(|(id, body)| mechanism.is_known(*id) && body.points.len() > 1)?;
+        let [from, to] = [body.points[0], body.points[1]].map(|point| mechanism.point_name(point));
+        Some(format!("L({from},{to})"))
+    }
+
+    /// Whether a vector or a size is one of a driven link.
+    fn is_of_crank(&self, name: &str, right: f64) -> bool {
+        let mechanism = self.table.given.mechanism();
+        let driven = mechanism.links().filter(|(id, _)| mechanism.is_known(*id));
+        let mut pairs = driven.flat_map(|(_, body)| {
+            let names: Vec<&str> = body.points.iter().map(|point| mechanism.point_name(*point)).collect();
+            let others = names.clone();
+            names.into_iter().flat_map(move |a| others.clone().into_iter().map(move |b| [a, b])).collect::<Vec<_>>()
+        });
+        pairs.any(|[a, b]| {
+            let names = match a == b {
+                true => vec![format!("v({a})"), format!("a({a})")],
+                false => vec![format!("a_n({a}/{b})"), format!("a_t({a}/{b})")],
+            };
+            let sizes = names.iter().filter_map(|name| self.table.given.number(name));
+            sizes.into_iter().any(|size| self.is_same(size, right.abs())) || super::given::image(a) == name
+        })
+    }
+
+    fn start_of(&self, name: &str) -> Blank {
+        match self.entry {
+            Entry::LayOff(LayOff { from, .. }) => from.as_str().into(),
+            _ => name.into(),
+        }
+    }
+
+    /// An image on the wrong side, or with its distances exchanged.
+    fn image(&self, like: &Like, sheet: Sheet, right: Vector) -> Option<Told> {
+        let would_be = |changed: Like| {
+            let made = self.table.carried_out_again(&Entry::Like(changed));
+            let small = 1e-6 * self.table.given.size(sheet);
+            matches!(made, Ok(Made::Place(_, _, at)) if (at - right).norm() <= small)
+        };
+        let [from, to] = like.ends.each_ref().map(|end| Blank::from(end.as_str()));
+        let point = Blank::from(like.like.as_str());
+        if would_be(Like { mirrored: !like.mirrored, ..like.clone() }) {
+            return Some(tell::mirrored_image(from, point, to));
+        }
+        let [a, b, c] = &like.points;
+        for mirrored in [false, true] {
+            let orders = [[b, a, c], [a, c, b], [c, b, a], [b, c, a], [c, a, b]];
+            let exchanged = orders
+                .into_iter()
+                .find(|points| would_be(Like { points: points.map(Clone::clone), mirrored, ..like.clone() }));
+            if exchanged.is_some() {
+                return Some(tell::wrong_ratio(from, to, point));
+            }
+        }
+        None
+    }
+}
+
+/// A number that was written otherwise than it is meant: two digits transposed, the point elsewhere.
+fn written_otherwise(name: &str, found: f64, right: f64, tolerance: f64) -> Option<Told> {
+    let near = |a: f64, b: f64| (a - b).abs() <= tolerance.max(0.006) * b.abs();
+    let quantity = || Blank::Quantity(name.to_owned());
+    let number = |x: f64| Blank::Number(crate::format::json(&rounded(x)).trim().to_owned());
+    for power in [1, 2, 3, -1, -2, -3] {
+        if near(found.abs() * libm::pow(10.0, -f64::from(power)), right.abs()) {
+            return Some(tell::decimal_slipped(quantity(), number(found), number(right)));
+        }
+    }
+    let text: Vec<char> = found.abs().to_string().chars().take(12).collect();
+    for at in 0..text.len().saturating_sub(1) {
+        if !(text[at].is_ascii_digit() && text[at + 1].is_ascii_digit()) || text[at] == text[at + 1] {
+            continue;
+        }
+        let mut other = text.clone();
+        other.swap(at, at + 1);
+        let meant: f64 = other.iter().collect::<String>().parse().unwrap_or(f64::NAN);
+        // Exchanged digits far behind change less than a hand's errors do.
+        if near(meant, right.abs()) && !near(found.abs(), right.abs()) {
+            return Some(tell::digits_transposed(quantity(), number(found), number(meant)));
+        }
+    }
+    None
+}
+
+/// To four digits.
+fn rounded(x: f64) -> f64 {
+    if x == 0.0 {
+        return x;
+    }
+    let scale = libm::pow(10.0, 3.0 - libm::floor(libm::log10(x.abs())));
+    libm::round(x * scale) / scale
+}
+
+/// The segments of a plan, by their names.
+fn segments(table: &Table<'_>, order: Order) -> Vec<(String, f64)> {
+    let sheet = order.sheet();
+    let places: Vec<(&str, Vector)> = table.given.places(sheet).collect();
+    let mut all = Vec::new();
+    for (at, (from, start)) in places.iter().enumerate() {
+        all.extend(places[at + 1..].iter().map(|(to, end)| (sheet.segment_name(from, to), (end - start).norm())));
+    }
+    // Those that the construction measures come first: they are meant.
+    let measured = crate::quantity::measured_names(table.given.construction());
+    let mut own: Vec<(String, f64)> = measured
+        .into_iter()
+        .filter(|name| QuantityRequest::new(name, table.given.mechanism()).is_ok_and(|asked| asked.sheet() == sheet))
+        .filter_map(|name| Some((name.clone(), table.given.number(&name)?)))
+        .collect();
+    own.extend(all);
+    own
+}
+
+/// The lengths between joints, by their names.
+fn lengths(table: &Table<'_>) -> Vec<(String, f64)> {
+    let places: Vec<(&str, Vector)> = table.given.places(Sheet::Scheme).collect();
+    let mut all = Vec::new();
+    for (at, (from, start)) in places.iter().enumerate() {
+        let others = places[at + 1..].iter().map(|(to, end)| (format!("L({from},{to})"), (end - start).norm()));
+        all.extend(others.filter(|(_, length)| *length > 0.0));
+    }
+    all
+}

@@ -1,0 +1,437 @@
+//! The things that a hand has made so far, by their names, and how one more entry is carried out with them.
+
+use super::direction::Direction;
+use super::file::{Compute, Cross, Entry, Join, LayOff, Like, Line, Mark, Measure};
+use super::formula::Formula;
+use super::given::{Given, image, usual};
+use super::says;
+use crate::geometry::{Vector, cross, degrees_of, direction_of_degrees, quarter_turn, unit};
+use crate::message::Message;
+use crate::scene::{Head, QuantityName};
+use crate::sheet::{Order, PerSheet, Sheet};
+use indexmap::IndexMap;
+use std::cell::RefCell;
+
+/// A line on a sheet: a place of it and its unit direction, in units of the sheet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawnLine {
+    /// The sheet.
+    pub sheet: Sheet,
+    /// A place of it.
+    pub at: Vector,
+    /// Its unit direction.
+    pub along: Vector,
+}
+
+impl DrawnLine {
+    /// How far a place is to the left of it.
+    #[must_use]
+    pub fn distance(&self, place: Vector) -> f64 {
+        cross(self.along, place - self.at)
+    }
+}
+
+/// What an entry makes.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Made {
+    /// A point: its sheet, its name, its place.
+    Place(Sheet, String, Vector),
+    /// A line with its name.
+    Line(String, DrawnLine),
+    /// Numbers with their names.
+    Numbers(Vec<(String, f64)>),
+}
+
+/// A thing by its sheet, where it has one, and its name.
+pub(super) type Thing = (Option<Sheet>, String);
+
+/// The things that are made.
+pub(super) fn things(made: &Made) -> Vec<Thing> {
+    match made {
+        Made::Place(sheet, name, _) => vec![(Some(*sheet), usual(*sheet, name).to_owned())],
+        Made::Line(name, _) => vec![(None, name.clone())],
+        Made::Numbers(all) => all.iter().map(|(name, _)| (None, name.clone())).collect(),
+    }
+}
+
+/// The things on the sheets and the numbers beside them, by name, in one scene: those of the hand, or the right ones.
+#[derive(Clone, Debug)]
+pub struct Table<'g> {
+    pub(super) given: &'g Given,
+    places: IndexMap<(Sheet, String), Vector>,
+    lines: IndexMap<String, DrawnLine>,
+    numbers: IndexMap<String, f64>,
+    /// Units of each sheet per millimetre of paper.
+    scales: PerSheet<f64>,
+    /// The numbers that are taken with the other sign.
+    turned: RefCell<Vec<String>>,
+}
+
+impl<'g> Table<'g> {
+    /// A table on which nothing has been drawn yet.
+    #[must_use]
+    pub fn new(given: &'g Given, scales: PerSheet<f64>) -> Table<'g> {
+        let places = given.there().map(|(sheet, name, place)| ((sheet, name.to_owned()), place));
+        Table {
+            given,
+            places: places.collect(),
+            lines: IndexMap::new(),
+            numbers: IndexMap::new(),
+            scales,
+            turned: RefCell::default(),
+        }
+    }
+
+    /// Units of a sheet per millimetre of paper.
+    #[must_use]
+    pub fn scale(&self, sheet: Sheet) -> f64 {
+        self.scales[sheet]
+    }
+
+    /// The points that are there.
+    pub fn places(&self, sheet: Sheet) -> impl Iterator<Item = (&str, Vector)> {
+        let on = self.places.iter().filter(move |((other, _), _)| *other == sheet);
+        on.map(|((_, name), place)| (name.as_str(), *place))
+    }
+
+    /// A point that is there.
+    #[must_use]
+    pub fn place(&self, sheet: Sheet, name: &str) -> Option<Vector> {
+        self.places.get(&(sheet, usual(sheet, name).to_owned())).copied()
+    }
+
+    /// The lines that are there.
+    pub fn lines(&self) -> impl Iterator<Item = (&str, &DrawnLine)> {
+        self.lines.iter().map(|(name, line)| (name.as_str(), line))
+    }
+
+    /// The numbers that have been found.
+    pub fn numbers(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.numbers.iter().map(|(name, number)| (name.as_str(), *number))
+    }
+
+    /// Puts down what an entry has made.
+    pub fn put(&mut self, made: Made) {
+        match made {
+            Made::Place(sheet, name, at) => drop(self.places.insert((sheet, usual(sheet, &name).to_owned()), at)),
+            Made::Line(name, line) => drop(self.lines.insert(name, line)),
+            Made::Numbers(all) => self.numbers.extend(all),
+        }
+    }
+
+    /// What an entry makes, with the things that are there. Nothing is put down. Places where free hands drew are not looked at, but for
+    /// lines of which nothing else is said, and for marks.
+    ///
+    /// # Errors
+    /// What is missing or cannot be done.
+    pub fn carry_out(&self, entry: &Entry) -> Result<Made, Message> {
+        match entry {
+            Entry::Join(join) => self.join(join),
+            Entry::Line(line) => self.line(line),
+            Entry::Cross(cross) => self.cross(cross),
+            Entry::LayOff(laid) => self.lay_off(laid),
+            Entry::Like(like) => self.like(like),
+            Entry::Mark(mark) => self.mark(mark),
+            Entry::Measure(measure) => self.measure(measure),
+            Entry::Compute(compute) => self.compute(compute),
+            Entry::Solve(solve) => self.solve(solve),
+            Entry::Undo(_) => Ok(Made::Numbers(Vec::new())),
+        }
+    }
+
+    /// The same of an entry whose result is there already, as if it were not.
+    ///
+    /// # Errors
+    /// What is missing or cannot be done.
+    pub(super) fn carried_out_again(&self, entry: &Entry) -> Result<Made, Message> {
+        let mut before = self.clone();
+        let names = entry.made();
+        before.places.retain(|(_, name), _| !names.contains(&name.as_str()) || self.given.is_there(name));
+        before.lines.retain(|name, _| !names.contains(&name.as_str()));
+        before.numbers.retain(|name, _| !names.contains(&name.as_str()));
+        before.carry_out(entry)
+    }
+
+    /// The same as the hand did it: where it was free, its places and numbers stand beside what was meant.
+    ///
+    /// # Errors
+    /// What is missing or cannot be done.
+    pub fn carry_out_by_hand(&self, entry: &Entry) -> Result<Made, Message> {
+        let made = self.carry_out(entry)?;
+        Ok(match (made, entry) {
+            (Made::Line(name, line), Entry::Line(Line { drawn: Some(drawn), .. })) => {
+                Made::Line(name, self.drawn_line(line.sheet, drawn))
+            }
+            (
+                Made::Place(sheet, name, _),
+                Entry::Cross(Cross { drawn: Some(drawn), .. }) | Entry::LayOff(LayOff { drawn: Some(drawn), .. }),
+            ) => Made::Place(sheet, name, self.drawn_place(sheet, drawn)),
+            (Made::Numbers(mut all), Entry::Measure(Measure { read: Some(read), .. })) => {
+                all.iter_mut().for_each(|(_, number)| *number = *read);
+                Made::Numbers(all)
+            }
+            (made, _) => made,
+        })
+    }
+
+    fn drawn_place(&self, sheet: Sheet, drawn: &[f64; 2]) -> Vector {
+        Vector::from(*drawn) * self.scales[sheet]
+    }
+
+    fn drawn_line(&self, sheet: Sheet, [x, y, degrees]: &[f64; 3]) -> DrawnLine {
+        DrawnLine { sheet, at: self.drawn_place(sheet, &[*x, *y]), along: direction_of_degrees(*degrees) }
+    }
+
+    fn new_place(&self, sheet: Sheet, name: &str) -> Result<String, Message> {
+        let free = is_name(name) && self.place(sheet, name).is_none();
+        if free { Ok(name.to_owned()) } else { Err(says::taken(name)) }
+    }
+
+    fn new_line(&self, name: &str) -> Result<String, Message> {
+        let free = is_name(name) && !name.contains(',') && !self.lines.contains_key(name) && !self.given.is_part(name);
+        if free { Ok(name.to_owned()) } else { Err(says::taken(name)) }
+    }
+
+    pub(super) fn new_number(&self, name: &str) -> Result<String, Message> {
+        let name: String = name.chars().filter(|c| !c.is_whitespace()).collect();
+        let free = !self.numbers.contains_key(&name) && self.given.given_number(&name).is_none();
+        // What is no quantity is a plain word.
+        let is_plain = name.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '\''))
+            && name.chars().next().is_some_and(char::is_alphabetic);
+        match free && (is_plain || QuantityName::parse(&name).is_some()) {
+            true => Ok(name),
+            false => Err(says::taken(name)),
+        }
+    }
+
+    /// The sheet that is named, or the only one that has all these points.
+    fn sheet(&self, on: Option<Sheet>, points: &[&str]) -> Result<Sheet, Message> {
+        if let Some(sheet) = on {
+            return Ok(sheet);
+        }
+        let mut having = Sheet::ALL.into_iter().filter(|&sheet| points.iter().all(|p| self.place(sheet, p).is_some()));
+        match (having.next(), having.next()) {
+            (Some(sheet), None) => Ok(sheet),
+            (None, _) => Err(says::no_point(points.first().copied().unwrap_or(""))),
+            _ => Err(says::which_sheet()),
+        }
+    }
+
+    fn point(&self, sheet: Sheet, name: &str) -> Result<Vector, Message> {
+        self.place(sheet, name).ok_or_else(|| says::no_point(name))
+    }
+
+    /// The direction that a line, two points, a link or a guide give on a sheet.
+    fn reference(&self, sheet: Sheet, name: &str) -> Result<Vector, Message> {
+        if let Some(line) = self.lines.get(name) {
+            return Ok(line.along);
+        }
+        if let Some((from, to)) = name.split_once(',') {
+            let (from, to) = (from.trim(), to.trim());
+            let on_scheme = [from, to].iter().all(|p| self.place(Sheet::Scheme, p).is_some());
+            let on = if on_scheme { Sheet::Scheme } else { sheet };
+            let between = self.point(on, to)? - self.point(on, from)?;
+            return unit(between).ok_or_else(|| says::no_direction(name));
+        }
+        self.given.direction(name).unwrap_or_else(|| Err(says::no_reference(name)))
+    }
+
+    /// A direction, of length 1.
+    pub(super) fn direction(&self, sheet: Sheet, along: &Direction) -> Result<Vector, Message> {
+        match along {
+            Direction::Parallel { parallel } => self.reference(sheet, parallel),
+            Direction::Normal { normal } => self.reference(sheet, normal).map(quarter_turn),
+            Direction::Turned { turned, base } => {
+                let [from, to] = [self.reference(sheet, &turned[0])?, self.reference(sheet, &turned[1])?];
+                let base = self.reference(sheet, base)?;
+                Ok(times(times(base, to), Vector::new(from.x, -from.y)))
+            }
+            Direction::Angle { angle } => Ok(direction_of_degrees(*angle)),
+        }
+    }
+
+    fn join(&self, Join { join, on, points: [from, to] }: &Join) -> Result<Made, Message> {
+        let sheet = self.sheet(*on, &[from, to])?;
+        let [from, to] = [self.point(sheet, from)?, self.point(sheet, to)?];
+        let along = unit(to - from).ok_or_else(|| says::no_direction(join))?;
+        Ok(Made::Line(self.new_line(join)?, DrawnLine { sheet, at: from, along }))
+    }
+
+    fn line(&self, Line { line: name, on, through, along, drawn }: &Line) -> Result<Made, Message> {
+        let new = self.new_line(name)?;
+        let points: Vec<&str> = through.iter().map(String::as_str).collect();
+        let sheet = self.sheet(*on, &points)?;
+        Ok(Made::Line(
+            new,
+            match (through, along, drawn) {
+                (Some(through), Some(along), _) => {
+                    DrawnLine { sheet, at: self.point(sheet, through)?, along: self.direction(sheet, along)? }
+                }
+                (_, _, Some(drawn)) => self.drawn_line(sheet, drawn),
+                _ => return Err(says::no_direction(name.as_str())),
+            },
+        ))
+    }
+
+    fn cross(&self, Cross { cross: name, of, .. }: &Cross) -> Result<Made, Message> {
+        let line = |name: &String| self.lines.get(name).ok_or_else(|| says::no_line(name));
+        let [one, two] = [line(&of[0])?, line(&of[1])?];
+        if one.sheet != two.sheet {
+            return Err(says::two_sheets(&of[0], &of[1]));
+        }
+        let sine = cross(one.along, two.along);
+        if sine.abs() < SMALLEST_SINE {
+            return Err(says::no_crossing(&of[0], &of[1]));
+        }
+        let at = one.at + one.along * (cross(two.at - one.at, two.along) / sine);
+        Ok(Made::Place(one.sheet, self.new_place(one.sheet, name)?, at))
+    }
+
+    fn lay_off(&self, LayOff { lay_off, on, from, size, along, .. }: &LayOff) -> Result<Made, Message> {
+        let sheet = self.sheet(*on, &[from])?;
+        let start = self.point(sheet, from)?;
+        let at = start + self.direction(sheet, along)? * self.formula(size)?;
+        Ok(Made::Place(sheet, self.new_place(sheet, lay_off)?, at))
+    }
+
+    fn like(&self, Like { like, on, ends, points, mirrored }: &Like) -> Result<Made, Message> {
+        let sheet = self.sheet(*on, &[&ends[0], &ends[1]])?;
+        let [from, to] = [self.point(sheet, &ends[0])?, self.point(sheet, &ends[1])?];
+        let place = |name: &String| self.point(Sheet::Scheme, name);
+        let [b, c, d] = [place(&points[0])?, place(&points[1])?, place(&points[2])?];
+        let (base, arm) = (c - b, d - b);
+        let size = base.norm_squared();
+        if size == 0.0 {
+            return Err(says::no_direction(format!("{},{}", points[0], points[1])));
+        }
+        // (d − b) / (c − b) as complex numbers.
+        let mut ratio = times(arm, Vector::new(base.x, -base.y)) / size;
+        if *mirrored {
+            ratio.y = -ratio.y;
+        }
+        Ok(Made::Place(sheet, self.new_place(sheet, like)?, from + times(to - from, ratio)))
+    }
+
+    fn mark(&self, Mark { mark, on, drawn }: &Mark) -> Result<Made, Message> {
+        let sheet = on.ok_or_else(says::which_sheet)?;
+        Ok(Made::Place(sheet, self.new_place(sheet, mark)?, self.drawn_place(sheet, drawn)))
+    }
+
+    fn measure(&self, Measure { measure, on, from, to, .. }: &Measure) -> Result<Made, Message> {
+        let named = QuantityName::parse(measure).and_then(|name| match name.head {
+            Head::Between(sheet) => Some(sheet),
+            _ => None,
+        });
+        let sheet = self.sheet(on.or(named), &[from, to])?;
+        let distance = (self.point(sheet, to)? - self.point(sheet, from)?).norm();
+        Ok(Made::Numbers(vec![(self.new_number(measure)?, distance)]))
+    }
+
+    fn compute(&self, Compute { compute, by, value, sense }: &Compute) -> Result<Made, Message> {
+        let number = match (by, value) {
+            (Some(formula), _) => self.formula(formula)?,
+            (None, value) => value.unwrap_or(f64::NAN),
+        };
+        let number = sense.map_or(number, |sense| number.abs() * sense.sign());
+        Ok(Made::Numbers(vec![(self.new_number(compute)?, number)]))
+    }
+
+    /// The value of a formula.
+    ///
+    /// # Errors
+    /// A number in it is not known yet.
+    pub(super) fn formula(&self, formula: &Formula) -> Result<f64, Message> {
+        let value = formula.value(&mut |name| self.number(name))?;
+        if value.is_finite() { Ok(value) } else { Err(says::no_value(formula.text())) }
+    }
+
+    /// A number by its name, with the other sign where a judge asks for that.
+    ///
+    /// # Errors
+    /// It is not known yet.
+    pub(super) fn number(&self, name: &str) -> Result<f64, Message> {
+        let number = self.number_as_is(name).ok_or_else(|| says::no_number(name))?;
+        Ok(if self.turned.borrow().iter().any(|turned| turned == name) { -number } else { number })
+    }
+
+    /// Takes some numbers with the other sign, or none.
+    pub(super) fn turn(&self, names: Vec<String>) {
+        self.turned.replace(names);
+    }
+
+    /// The numbers in formulas whose signs may be others in other scenes, as the sheet shows them: segments of plans, lengths up to
+    /// special points, numbers of the hand's own.
+    pub(super) fn signed(&self, formulas: &[&Formula]) -> Vec<String> {
+        let is_joint = |name: &String| self.given.mechanism().point(name).is_some();
+        let mut names: Vec<String> = Vec::new();
+        for name in formulas.iter().flat_map(|formula| formula.names()) {
+            let has_sign = match QuantityName::parse(name).map(|quantity| (quantity.head, quantity.arguments)) {
+                Some((Head::Between(Sheet::Scheme), ends)) => !ends.iter().all(is_joint),
+                Some((Head::Between(_) | Head::Velocity | Head::Acceleration, _)) => true,
+                Some(_) => false,
+                None => self.numbers.contains_key(name),
+            };
+            if has_sign && !names.iter().any(|known| known == name) {
+                names.push(name.to_owned());
+            }
+        }
+        names
+    }
+
+    /// The value of a number that a formula may use; `None` where it is not known yet.
+    #[must_use]
+    pub fn known(&self, name: &str) -> Option<f64> {
+        self.number_as_is(name).filter(|number| number.is_finite())
+    }
+
+    fn number_as_is(&self, name: &str) -> Option<f64> {
+        if let Some(number) = self.numbers.get(name) {
+            return Some(*number);
+        }
+        if let Some(sheet) = Sheet::ALL.into_iter().find(|sheet| sheet.facts().scale_key == name) {
+            return Some(self.scales[sheet]);
+        }
+        if let Some(number) = self.given.given_number(name) {
+            return Some(number);
+        }
+        let quantity = QuantityName::parse(name).filter(QuantityName::is_plain)?;
+        let ends =
+            |sheet: Sheet, from: &str, to: &str| Some((self.place(sheet, to)? - self.place(sheet, from)?).norm());
+        match (quantity.head, quantity.arguments.as_slice()) {
+            (Head::Between(sheet), [from, to]) => ends(sheet, from, to),
+            (Head::Velocity, [point]) => ends(Sheet::Velocity, Order::Velocity.pole(), &image(point)),
+            (Head::Velocity, [point, from]) => ends(Sheet::Velocity, &image(from), &image(point)),
+            (Head::Acceleration, [point]) => ends(Sheet::Acceleration, Order::Acceleration.pole(), &image(point)),
+            (Head::Acceleration, [point, from]) => ends(Sheet::Acceleration, &image(from), &image(point)),
+            _ => None,
+        }
+    }
+
+    /// How far a line lies from what was meant, in millimetres at the place through which it should go, and in degrees.
+    pub(super) fn off(&self, meant: &DrawnLine, drawn: &[f64; 3]) -> [f64; 2] {
+        let drawn = self.drawn_line(meant.sheet, drawn);
+        let turn = degrees_of(times(drawn.along, Vector::new(meant.along.x, -meant.along.y)));
+        let turn = if turn > 90.0 {
+            turn - 180.0
+        } else if turn < -90.0 {
+            turn + 180.0
+        } else {
+            turn
+        };
+        [drawn.distance(meant.at).abs() / self.scales[meant.sheet], turn.abs()]
+    }
+}
+
+/// The smallest sine of the angle between two lines that cross somewhere.
+const SMALLEST_SINE: f64 = 1e-9;
+
+/// Whether a word may name a point or a line.
+fn is_name(name: &str) -> bool {
+    !name.is_empty() && !name.chars().any(|c| c.is_whitespace() || c.is_control() || matches!(c, '(' | ')' | '='))
+}
+
+/// The product of two vectors as complex numbers.
+fn times(a: Vector, b: Vector) -> Vector {
+    Vector::new(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
+}

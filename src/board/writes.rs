@@ -1,0 +1,273 @@
+//! Kinegon's own construction as a drawing: for demonstrations, and as the key of an exercise.
+
+use super::given::Given;
+use crate::construction::{
+    Along, Construction, LineId, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId, Product,
+    Reference,
+};
+use crate::mechanism::Mechanism;
+use crate::sheet::{PerSheet, Scales, Sheet};
+use indexmap::{IndexMap, IndexSet};
+use serde_json::{Map, Value as Json, json};
+
+/// Kinegon's construction of a scene as the text of a drawing, an entry on each line.
+#[must_use]
+pub fn own_drawing(given: &Given, scales: &Scales) -> String {
+    let mut writer = Writer::new(given);
+    for operation in &given.construction().operations {
+        writer.write(operation.sheet, operation.role, &operation.kind, operation.step.is_some());
+    }
+    let mut head = Map::new();
+    head.insert("kinegon_drawing".to_owned(), json!(1));
+    scales.given().for_each(|(sheet, mu)| drop(head.insert(sheet.facts().scale_key.to_owned(), json!(mu))));
+    let head = Json::Object(head).to_string();
+    let did: Vec<String> = writer.did.iter().map(|entry| format!("    {entry}")).collect();
+    format!("{},\n  \"did\": [\n{}\n  ]\n}}\n", head.trim_end_matches('}'), did.join(",\n"))
+}
+
+struct Writer<'g> {
+    construction: &'g Construction,
+    mechanism: &'g Mechanism,
+    values: crate::construction::Values,
+    /// By place: its sheet and name.
+    places: IndexMap<PlaceId, (Sheet, String)>,
+    /// By line: what gives its direction, and its name if it is drawn.
+    lines: IndexMap<LineId, (String, Option<String>)>,
+    /// Lines that are crossed or to which others are drawn: the others need no drawing.
+    crossed: IndexSet<LineId>,
+    /// By number: how a formula writes it.
+    numbers: IndexMap<NumberId, String>,
+    /// Names of numbers that have been given.
+    named: IndexSet<String>,
+    did: Vec<Json>,
+    own: usize,
+}
+
+impl<'g> Writer<'g> {
+    fn new(given: &'g Given) -> Writer<'g> {
+        let construction = given.construction();
+        let mut places = IndexMap::new();
+        for (sheet, name, place) in construction.named_places() {
+            places.entry(place).or_insert((sheet, name.to_owned()));
+        }
+        let mut crossed = IndexSet::new();
+        for operation in &construction.operations {
+            if let OperationKind::Cross { lines, .. } = operation.kind {
+                crossed.extend(lines);
+            }
+        }
+        Writer {
+            construction,
+            mechanism: given.mechanism(),
+            values: construction.run(PerSheet::from_fn(|_| 1.0), &[]),
+            places,
+            lines: IndexMap::new(),
+            crossed,
+            numbers: IndexMap::new(),
+            named: IndexSet::new(),
+            did: Vec::new(),
+            own: 0,
+        }
+    }
+
+    /// The name of a place; one without gets one of its own.
+    fn place(&mut self, sheet: Sheet, place: PlaceId) -> String {
+        if let Some((_, name)) = self.places.get(&place) {
+            return name.clone();
+        }
+        self.own += 1;
+        let name = format!("h{}", self.own);
+        self.places.insert(place, (sheet, name.clone()));
+        name
+    }
+
+    fn write(&mut self, sheet: Sheet, role: OperationRole, kind: &OperationKind, in_step: bool) {
+        match kind {
+            OperationKind::Pole { .. } | OperationKind::Plot { .. } => {}
+            OperationKind::Join { line, from, towards } => self.join(sheet, *line, [*from, *towards], role),
+            OperationKind::Draw { line, through, along } => self.draw(sheet, *line, *through, along, role),
+            OperationKind::Cross { place, lines } => {
+                let lines =
+                    lines.map(|line| self.lines.get(&line).and_then(|(_, name)| name.clone()).unwrap_or_default());
+                let point = self.place(sheet, *place);
+                self.did.push(json!({ "cross": point, "of": lines }));
+            }
+            OperationKind::Divide { place, ends, like } => {
+                let ends = ends.map(|end| self.place(sheet, end));
+                let points = like.map(|point| self.place(Sheet::Scheme, point));
+                let point = self.place(sheet, *place);
+                self.did.push(json!({ "like": point, "on": sheet.as_str(), "ends": ends, "points": points }));
+            }
+            OperationKind::LayOff { place, from, size, along } => {
+                let (along, sign) = self.direction(along);
+                let size = self.numbers.get(size).cloned().unwrap_or_default();
+                let size = if sign < 0.0 { negative(&size) } else { size };
+                let (from, to) = (self.place(sheet, *from), self.place(sheet, *place));
+                self.did
+                    .push(json!({ "lay_off": to, "on": sheet.as_str(), "from": from, "size": size, "along": along }));
+            }
+            OperationKind::Measure { number, from, to, how } => {
+                self.measure(sheet, *number, [*from, *to], *how, in_step)
+            }
+            OperationKind::Take { number, value } => self.take(*number, *value),
+            OperationKind::Compute { number, sum } => self.compute(*number, sum),
+            OperationKind::Solve { unknowns, equations } => {
+                let names: Vec<String> =
+                    unknowns.iter().map(|n| self.construction.number_name(self.mechanism, *n)).collect();
+                let equations: Vec<String> = equations
+                    .iter()
+                    .map(|equation| {
+                        let left: Vec<String> = equation
+                            .left
+                            .iter()
+                            .map(|(unknown, product)| format!("{} * {}", self.product(product), names[*unknown]))
+                            .collect();
+                        format!("{} = {}", sum_of(&left), self.sum(&equation.right))
+                    })
+                    .collect();
+                self.did.push(json!({ "solve": names, "equations": equations }));
+                unknowns.iter().zip(&names).for_each(|(number, name)| drop(self.numbers.insert(*number, name.clone())));
+            }
+        }
+    }
+
+    fn join(&mut self, sheet: Sheet, line: LineId, ends: [PlaceId; 2], role: OperationRole) {
+        let ends = ends.map(|end| self.place(sheet, end));
+        let along = match role {
+            OperationRole::Guide(slider) => self.mechanism.slider_name(slider),
+            _ => ends.join(","),
+        };
+        let name = self.drawn(line);
+        if let Some(name) = &name {
+            self.did.push(json!({ "join": name, "on": sheet.as_str(), "points": ends }));
+        }
+        self.lines.insert(line, (along, name));
+    }
+
+    fn draw(&mut self, sheet: Sheet, line: LineId, through: PlaceId, along: &Along, role: OperationRole) {
+        let (along, _) = self.direction(along);
+        let through = self.place(sheet, through);
+        let name = self.drawn(line);
+        if let Some(name) = &name {
+            let along = match role {
+                // A guide needs no other line to be drawn.
+                OperationRole::Guide(slider) => json!({ "parallel": self.mechanism.slider_name(slider) }),
+                _ => along,
+            };
+            self.did.push(json!({ "line": name, "on": sheet.as_str(), "through": through, "along": along }));
+        }
+        let reference = match role {
+            OperationRole::Guide(slider) => self.mechanism.slider_name(slider),
+            _ => name.clone().unwrap_or_default(),
+        };
+        self.lines.insert(line, (reference, name));
+    }
+
+    /// The name of a line that is to be drawn.
+    fn drawn(&mut self, line: LineId) -> Option<String> {
+        self.crossed.contains(&line).then(|| {
+            let count = self.lines.values().filter(|(_, name)| name.is_some()).count();
+            format!("r{}", count + 1)
+        })
+    }
+
+    /// A direction, and the sign that sizes along it get.
+    fn direction(&self, along: &Along) -> (Json, f64) {
+        let reference =
+            |line: &LineId| self.lines.get(line).map_or_else(String::new, |(reference, _)| reference.clone());
+        let turns = along.quarter_turns % 4;
+        let sign = if turns < 2 { 1.0 } else { -1.0 };
+        let json = match &along.reference {
+            Reference::Line(line) if turns % 2 == 0 => json!({ "parallel": reference(line) }),
+            Reference::Line(line) => json!({ "normal": reference(line) }),
+            Reference::Angle { base, from, to } => {
+                json!({ "turned": [reference(from), reference(to)], "base": reference(base) })
+            }
+            Reference::Given(direction) => {
+                let degrees = crate::geometry::degrees_of(*direction) + 90.0 * f64::from(turns % 2);
+                json!({ "angle": degrees })
+            }
+        };
+        (json, sign)
+    }
+
+    fn measure(&mut self, sheet: Sheet, number: NumberId, ends: [PlaceId; 2], how: MeasuredAs, in_step: bool) {
+        // What is only read belongs to no step, and no formula needs it.
+        if !matches!(how, MeasuredAs::Size | MeasuredAs::Along(_))
+            || matches!(self.construction.numbers[number.0], NumberKind::Reading(_))
+        {
+            return;
+        }
+        let name = self.construction.number_name(self.mechanism, number);
+        if in_step && self.named.insert(name.clone()) {
+            let [from, to] = ends.map(|end| self.place(sheet, end));
+            self.did.push(json!({ "measure": name, "on": sheet.as_str(), "from": from, "to": to }));
+        }
+        // A distance has no sign; one along a line has.
+        let written = if self.values.number(number) < 0.0 { format!("(-{name})") } else { name };
+        self.numbers.insert(number, written);
+    }
+
+    fn take(&mut self, number: NumberId, value: f64) {
+        let name = self.construction.number_name(self.mechanism, number);
+        let written = if name.is_empty() { written(value) } else { name };
+        self.numbers.insert(number, written);
+    }
+
+    fn compute(&mut self, number: NumberId, sum: &[Product]) {
+        let formula = self.sum(sum);
+        let name = self.construction.number_name(self.mechanism, number);
+        if name.is_empty() {
+            self.numbers.insert(number, formula);
+        } else {
+            self.did.push(json!({ "compute": name, "as": formula }));
+            self.numbers.insert(number, name);
+        }
+    }
+
+    fn sum(&self, sum: &[Product]) -> String {
+        let products: Vec<String> = sum.iter().map(|product| self.product(product)).collect();
+        sum_of(&products)
+    }
+
+    fn product(&self, product: &Product) -> String {
+        let mut factors: Vec<String> = Vec::new();
+        for number in &product.of {
+            let name = self.numbers.get(number).cloned().unwrap_or_default();
+            // A rate times itself is its square.
+            match factors.last_mut() {
+                Some(last) if *last == name => last.push_str("^2"),
+                _ => factors.push(name),
+            }
+        }
+        let size = product.factor.abs();
+        if size != 1.0 || factors.is_empty() {
+            factors.insert(0, written(size));
+        }
+        let product_text = factors.join(" * ");
+        if product.factor < 0.0 { format!("-{product_text}") } else { product_text }
+    }
+}
+
+fn sum_of(terms: &[String]) -> String {
+    let mut sum = String::new();
+    for term in terms {
+        match term.strip_prefix('-') {
+            Some(rest) if !sum.is_empty() => sum.push_str(&format!(" - {rest}")),
+            _ if !sum.is_empty() => sum.push_str(&format!(" + {term}")),
+            _ => sum.push_str(term),
+        }
+    }
+    if sum.is_empty() { "0".to_owned() } else { sum }
+}
+
+fn negative(formula: &str) -> String {
+    match formula.strip_prefix('-') {
+        Some(rest) if !rest.contains(" + ") && !rest.contains(" - ") => rest.to_owned(),
+        _ => format!("-({formula})"),
+    }
+}
+
+fn written(x: f64) -> String {
+    crate::format::json(&x).trim().to_owned()
+}

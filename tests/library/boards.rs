@@ -1,0 +1,255 @@
+//! Drawings made on the board, judged operation by operation: Kinegon's own construction of every scene is right, so are equivalent ways, the first wrong
+//! operation is the one that was put in, every prefix replays, and no file ends in a panic.
+
+use kinegon::board::{Formula, Given, HandDrawing, Judge, JudgedDrawing, MOST_ENTRIES, Verdict, own_drawing};
+use kinegon::check::AnswerKey;
+use kinegon::construction::Tolerance;
+use serde_json::{Value, json};
+use support::files::{read, templates};
+use support::random::Random;
+use support::stages::solved;
+
+const FOUR_BAR: &str = "templates/four-bar.json";
+const SLIDER_CRANK: &str = "templates/slider-crank.json";
+
+fn judge(scene: &str) -> Judge {
+    let solution = solved(scene).expect("a good scene");
+    Judge::new(&AnswerKey::new(&solution, Some(Tolerance::default())))
+}
+
+fn drawing(did: &Value) -> HandDrawing {
+    let text = json!({ "kinegon_drawing": 1, "did": did }).to_string();
+    HandDrawing::read(&text).unwrap_or_else(|error| panic!("{text}: {error}"))
+}
+
+fn judged(judge: &Judge, did: &Value) -> JudgedDrawing {
+    judge.judge(&drawing(did)).unwrap_or_else(|error| panic!("{did}: {error}"))
+}
+
+/// The velocity plan of the four-bar linkage as a textbook has it.
+fn velocity_plan() -> Vec<Value> {
+    vec![
+        json!({ "compute": "v(B)", "as": "omega(1) * L(A,B)" }),
+        json!({ "lay_off": "b", "on": "velocity", "from": "p", "size": "v(B)", "along": { "normal": "A,B" } }),
+        json!({ "line": "r1", "on": "velocity", "through": "b", "along": { "normal": "2" } }),
+        json!({ "line": "r2", "on": "velocity", "through": "p", "along": { "normal": "3" } }),
+        json!({ "cross": "c", "of": ["r1", "r2"] }),
+        json!({ "measure": "bc", "on": "velocity", "from": "b", "to": "c" }),
+        json!({ "compute": "omega(2)", "as": "bc / L(B,C)", "sense": "cw" }),
+    ]
+}
+
+/// The drawing with one entry in place of another.
+fn with(index: usize, entry: Value) -> Value {
+    let mut did = velocity_plan();
+    did[index] = entry;
+    Value::Array(did)
+}
+
+#[test]
+fn own_constructions_are_right_and_every_prefix_replays() {
+    let scenes =
+        ["figure-1", "figure-2", "wiper"].map(|name| (name.to_owned(), read(&format!("examples/{name}.json"))));
+    for (name, text) in templates().into_iter().chain(scenes) {
+        let Ok(solution) = solved(&text) else { continue };
+        let judge = judge(&text);
+        let own = own_drawing(&Given::new(&solution), &solution.scales());
+        let whole = HandDrawing::read(&own).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let found = judge.judge(&whole).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let wrong = found.first_wrong().map(|index| &whole.did[index]);
+        assert!(wrong.is_none(), "{name}: {wrong:?}: {:?}", found.verdicts);
+        assert_eq!(own, own_drawing(&Given::new(&solution), &solution.scales()), "{name}: not the same bytes");
+        // Every prefix is a drawing, too; its verdicts do not depend on what comes later but for what is unused yet.
+        for count in (0..whole.did.len()).step_by(7) {
+            let mut prefix = whole.clone();
+            prefix.did.truncate(count);
+            let found = judge.judge(&prefix).unwrap_or_else(|error| panic!("{name}, {count} entries: {error}"));
+            assert!(found.first_wrong().is_none(), "{name}: {count} entries: {:?}", found.verdicts);
+        }
+    }
+}
+
+#[test]
+fn ways_that_lead_to_the_same_are_right() {
+    let judge = judge(&read(FOUR_BAR));
+    let crank = [
+        // v²/l, ω² l, ω v: with the sense of the normal part in the direction or in the sign.
+        json!({ "lay_off": "b", "on": "acceleration", "from": "π", "size": "v(B)^2 / L(A,B)", "along": { "parallel": "B,A" } }),
+        json!({ "lay_off": "b", "on": "acceleration", "from": "pi", "size": "-omega(1)^2 * L(A,B)", "along": { "parallel": "1" } }),
+        json!({ "lay_off": "b", "on": "acceleration", "from": "a", "size": "omega(1) * vplan(p,b)", "along": { "parallel": "B,A" } }),
+    ];
+    for entry in crank {
+        let mut did = velocity_plan();
+        did.push(entry.clone());
+        let found = judged(&judge, &Value::Array(did));
+        assert_eq!(found.verdicts[7], Verdict::Right, "{entry}");
+    }
+    // Poles in any order, rays in any order, additional lines, a detour that is taken back.
+    let mut did = velocity_plan();
+    did.swap(2, 3);
+    did.insert(2, json!({ "line": "x", "on": "velocity", "through": "b", "along": { "angle": 17 } }));
+    did.insert(3, json!({ "undo": 1 }));
+    did.insert(4, json!({ "line": "x", "on": "velocity", "through": "p", "along": { "angle": 17 } }));
+    let found = judged(&judge, &Value::Array(did));
+    assert_eq!(found.first_wrong(), None, "{:?}", found.verdicts);
+    assert_eq!([&found.verdicts[2], &found.verdicts[4]], [&Verdict::Undone, &Verdict::Unused]);
+}
+
+#[test]
+fn the_first_wrong_operation_is_named() {
+    let judge = judge(&read(FOUR_BAR));
+    let planted = [
+        (with(0, json!({ "compute": "v(B)", "as": "omega(1)^2 * L(A,B)" })), 0, Some("omega-not-squared")),
+        (
+            with(2, json!({ "line": "r1", "on": "velocity", "through": "b", "along": { "parallel": "2" } })),
+            2,
+            Some("turned-ray"),
+        ),
+        (
+            with(3, json!({ "line": "r2", "on": "velocity", "through": "b", "along": { "normal": "3" } })),
+            3,
+            Some("ray-from-wrong-point"),
+        ),
+        (with(5, json!({ "measure": "bc", "on": "velocity", "from": "p", "to": "c" })), 5, Some("wrong-segment")),
+        (with(6, json!({ "compute": "omega(2)", "as": "bc / L(C,D)", "sense": "cw" })), 6, Some("wrong-length")),
+        (with(6, json!({ "compute": "omega(2)", "as": "bc / L(B,C)", "sense": "ccw" })), 6, Some("wrong-sense")),
+    ];
+    for (did, index, mistake) in planted {
+        let found = judged(&judge, &did);
+        assert_eq!(found.first_wrong(), Some(index), "{did}: {:?}", found.verdicts);
+        let Verdict::Wrong(wrong) = &found.verdicts[index] else { unreachable!("it is the first wrong one") };
+        let told = wrong.mistake.as_ref().map(|told| told.mistake.id());
+        // What is not squared where it should not be has no name of its own.
+        if mistake != Some("omega-not-squared") {
+            assert_eq!(told, mistake, "{did}");
+        }
+        // What comes later is right by itself.
+        assert_eq!(found.verdicts.iter().filter(|verdict| matches!(verdict, Verdict::Wrong(_))).count(), 1, "{did}");
+    }
+}
+
+#[test]
+fn a_free_hand_may_err_as_hands_do() {
+    let judge = judge(&read(FOUR_BAR));
+    // Right: b at 120 mm along 150°, the ray through it normal to BC at 114.48°. A hand is 0.2 mm and 0.2° off, then 3 mm, then 3°.
+    let [x, y] = [120.0 * 150.0_f64.to_radians().cos(), 60.0];
+    for (aside, turn, is_right) in [(0.2, 0.2, true), (3.0, 0.0, false), (0.0, 3.0, false)] {
+        for stated in [true, false] {
+            let mut entry = json!({ "line": "r1", "on": "velocity", "drawn": [x + aside, y, 114.48 + turn] });
+            if stated {
+                entry["through"] = json!("b");
+                entry["along"] = json!({ "normal": "2" });
+            }
+            let found = judged(&judge, &with(2, entry.clone()));
+            assert_eq!(found.first_wrong() != Some(2), is_right, "{entry}: {:?}", found.verdicts);
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_carried_out_is_refused_with_its_entry() {
+    let judge = judge(&read(SLIDER_CRANK));
+    let refused = [
+        (json!({ "measure": "m", "on": "velocity", "from": "p", "to": "c" }), "there is no point c yet"),
+        (json!({ "cross": "c", "of": ["r1", "r2"] }), "there is no line r1"),
+        (json!({ "compute": "x", "as": "omega(2) * 2" }), "omega(2) is not known yet"),
+        (
+            json!({ "lay_off": "p", "on": "velocity", "from": "p", "size": 1, "along": { "angle": 0 } }),
+            "`p` cannot be the name: it is taken, or no name",
+        ),
+        (
+            json!({ "solve": ["x"], "equations": ["x * x = 4"] }),
+            "`x * x = 4` is not linear in the numbers that are sought",
+        ),
+        (json!({ "compute": "x", "as": "1 / 0" }), "`1 / 0` has no value"),
+    ];
+    for (entry, message) in refused {
+        let error = judge.judge(&drawing(&json!([{ "undo": 1 }, entry.clone()]))).expect_err("it is refused");
+        assert_eq!((error.entry, error.message.to_string()), (1, message.to_owned()), "{entry}");
+    }
+}
+
+#[test]
+fn formulas_mean_what_they_say() {
+    let judge = judge(&read(FOUR_BAR));
+    let values = [
+        ("2 + 3 * 4", 14.0),
+        ("-2^2", -4.0),
+        ("(2 + 3)^2 / 5", 5.0),
+        ("sqrt(16) - abs(-3)", 1.0),
+        ("2e3 : 4", 500.0),
+        ("2 * sin(30)", 1.0),
+    ];
+    for (text, value) in values {
+        let did = json!([{ "compute": "x", "as": text }]);
+        let (table, refused) = judge.drawn(&drawing(&did));
+        assert_eq!(refused, None);
+        let found = table.known("x").expect("it has a value");
+        assert!((found - value).abs() < 1e-12, "{text}: {found}");
+    }
+    for text in ["", "2 +", "L(A", "3 3", "(2", "omega(", "*"] {
+        assert!(Formula::read(text).is_err(), "{text}");
+    }
+}
+
+#[test]
+fn no_file_ends_in_a_panic() {
+    let text = read("examples/figure-2.json");
+    let solution = solved(&text).expect("a good scene");
+    let judge = judge(&text);
+    let own = own_drawing(&Given::new(&solution), &solution.scales());
+    let whole: Value = serde_json::from_str(&own).expect("JSON");
+    let words: Vec<Value> = texts(&whole["did"]);
+    let (mut random, mut read_and_judged) = (Random(1), 0);
+    for _ in 0..400 {
+        let mut changed = whole.clone();
+        let did = changed["did"].as_array_mut().expect("a list");
+        for _ in 0..=random.below(3) {
+            let (at, other) = (random.below(did.len()), random.below(did.len()));
+            match random.below(4) {
+                0 => drop(did.remove(at)),
+                1 => did.swap(at, other),
+                2 => did.insert(at, json!({ "undo": random.below(4) })),
+                _ => {
+                    let entry = did[at].as_object_mut().expect("an entry");
+                    let key = entry.keys().nth(random.below(entry.len())).expect("a key").clone();
+                    entry[&key] = words[random.below(words.len())].clone();
+                }
+            }
+        }
+        // The text itself, broken off or with letters exchanged.
+        let text = changed.to_string();
+        for text in
+            [text.clone(), text.chars().take(random.below(text.len())).collect::<String>(), text.replacen('[', "{", 3)]
+        {
+            if let Ok(drawing) = HandDrawing::read(&text) {
+                read_and_judged += usize::from(judge.judge(&drawing).is_ok());
+            }
+        }
+    }
+    assert!(read_and_judged > 40, "only {read_and_judged} could be judged");
+}
+
+/// All texts and lists of texts of a drawing.
+fn texts(value: &Value) -> Vec<Value> {
+    match value {
+        Value::String(_) => vec![value.clone()],
+        Value::Array(all) => std::iter::once(value.clone()).chain(all.iter().flat_map(texts)).collect(),
+        Value::Object(all) => std::iter::once(value.clone()).chain(all.values().flat_map(texts)).collect(),
+        _ => Vec::new(),
+    }
+}
+
+#[test]
+fn the_longest_drawing_is_judged() {
+    let judge = judge(&read(FOUR_BAR));
+    let mut did = velocity_plan();
+    while did.len() < MOST_ENTRIES {
+        did.push(json!({ "line": format!("x{}", did.len()), "on": "velocity", "through": "b", "along": { "angle": did.len() } }));
+    }
+    assert_eq!(judged(&judge, &Value::Array(did.clone())).first_wrong(), None);
+    did.push(json!({ "undo": 1 }));
+    let text = json!({ "kinegon_drawing": 1, "did": did }).to_string();
+    let error = HandDrawing::read(&text).expect_err("it is too long");
+    assert!(error.to_string().contains("at most 2000 entries"), "{error}");
+}

@@ -1,0 +1,178 @@
+//! The drawing board: drawings in and out as text, all geometry and every judgement the library's.
+
+use crate::desk::Desk;
+use crate::refused::Refused;
+use kinegon::board::{
+    Board, BoardError, BoardHint, DrawingResult, HandDrawing, Judge, JudgedDrawing, Pressed, STAGES, Screen, Snapped,
+    own_drawing,
+};
+use kinegon::check::AnswerKey;
+use kinegon::construction::Tolerance;
+use kinegon::format::pdf_pages;
+use kinegon::{Order, Sheet};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Which picture of a drawing is wanted.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+pub struct BoardPictureAsk {
+    /// Of which sheet.
+    pub sheet: Sheet,
+    /// How many entries are shown; none for all.
+    pub until: Option<usize>,
+    /// Height of the letters in mm; none for those of a sheet of paper.
+    pub letters: Option<f64>,
+    /// Whether what is wrong is marked.
+    #[serde(default)]
+    pub judged: bool,
+}
+
+/// A sheet of a drawing.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct BoardPicture {
+    /// The picture; one unit of it is a millimetre of the sheet.
+    pub svg: String,
+    /// Width in mm.
+    pub width: f64,
+    /// Height in mm.
+    pub height: f64,
+}
+
+/// What is found of a drawing.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct BoardJudged {
+    /// The entries with their verdicts.
+    pub entries: Vec<kinegon::board::EntryResult>,
+    /// The index of the first wrong one; none where nothing is wrong.
+    pub first_wrong: Option<usize>,
+    /// Whether all that is to be found is there and nothing is wrong.
+    pub is_complete: bool,
+}
+
+/// Height of letters on a sheet of paper, in mm.
+const LETTERS: f64 = 3.4;
+
+/// What is kept for the board: the screen of the last scene, and the last drawing judged.
+#[derive(Default)]
+pub struct Kept {
+    scene: String,
+    language: String,
+    screen: Option<Screen>,
+    judged: Option<(String, JudgedDrawing)>,
+}
+
+impl Kept {
+    /// The screen of a scene.
+    fn screen(&mut self, desk: &mut Desk, text: &str) -> Result<&Screen, Refused> {
+        let spoken = desk.language().code();
+        if self.screen.is_none() || self.scene != text || self.language != spoken {
+            *self = Kept::default();
+            let (kept, language) = desk.kept_with_language(text)?;
+            let solution = crate::desk::in_words(kept.solution(Order::Acceleration)?, language).into_owned();
+            let key = AnswerKey::new(&solution, Some(Tolerance::default()));
+            self.screen = Some(Screen::new(Judge::new(&key), solution.wording()));
+            (self.scene, self.language) = (text.to_owned(), spoken.to_owned());
+        }
+        self.screen.as_ref().ok_or_else(|| Refused::whole(""))
+    }
+
+    /// What is found of a drawing, which may be kept from before.
+    fn judged(
+        &mut self,
+        desk: &mut Desk,
+        text: &str,
+        drawing: &str,
+    ) -> Result<(&Screen, HandDrawing, &JudgedDrawing), Refused> {
+        self.screen(desk, text)?;
+        let read = self.drawing(drawing)?;
+        let screen = self.screen.as_ref().ok_or_else(|| Refused::whole(""))?;
+        if self.judged.as_ref().is_none_or(|(before, _)| before != drawing) {
+            let judged = screen.judge.judge(&read).map_err(refused)?;
+            self.judged = Some((drawing.to_owned(), judged));
+        }
+        let (_, judged) = self.judged.as_ref().ok_or_else(|| Refused::whole(""))?;
+        Ok((screen, read, judged))
+    }
+
+    /// The drawing of a text; of none an empty one.
+    fn drawing(&self, text: &str) -> Result<HandDrawing, Refused> {
+        let empty = self.screen.as_ref().map_or_else(String::new, Screen::empty);
+        let text = if text.trim().is_empty() { &empty } else { text };
+        HandDrawing::read(text).map_err(|error| Refused::of(text, error))
+    }
+
+    pub fn board(&mut self, desk: &mut Desk, text: &str, drawing: &str) -> Result<Board, Refused> {
+        self.screen(desk, text)?;
+        let read = self.drawing(drawing)?;
+        let screen = self.screen(desk, text)?;
+        let drawing = if drawing.trim().is_empty() { screen.empty() } else { drawing.to_owned() };
+        Ok(screen.board(drawing, &read))
+    }
+
+    pub fn snap(
+        &mut self,
+        desk: &mut Desk,
+        [text, drawing]: [&str; 2],
+        pressed: &Pressed,
+    ) -> Result<Vec<Snapped>, Refused> {
+        self.screen(desk, text)?;
+        let read = self.drawing(drawing)?;
+        Ok(self.screen(desk, text)?.snapped(&read, pressed))
+    }
+
+    pub fn picture(
+        &mut self,
+        desk: &mut Desk,
+        [text, drawing]: [&str; 2],
+        ask: &BoardPictureAsk,
+    ) -> Result<BoardPicture, Refused> {
+        self.screen(desk, text)?;
+        let read = self.drawing(drawing)?;
+        // A drawing that cannot be judged is shown as it is.
+        let judged =
+            if ask.judged { self.judged(desk, text, drawing).ok().map(|(.., judged)| judged.clone()) } else { None };
+        let screen = self.screen(desk, text)?;
+        let letters = ask.letters.unwrap_or(LETTERS).clamp(0.5, 50.0);
+        let picture = screen.picture(&read, ask.sheet, ask.until, letters, judged.as_ref());
+        let picture = picture.ok_or_else(|| Refused::whole(kinegon::board::says::no_sheet()))?;
+        Ok(BoardPicture { svg: picture.svg(), width: picture.width, height: picture.height })
+    }
+
+    pub fn judge(&mut self, desk: &mut Desk, text: &str, drawing: &str) -> Result<BoardJudged, Refused> {
+        let (screen, read, judged) = self.judged(desk, text, drawing)?;
+        let DrawingResult { entries, first_wrong } = judged.result(&screen.judge, &read, &screen.words());
+        let is_complete = first_wrong.is_none() && screen.is_complete(&read);
+        Ok(BoardJudged { entries, first_wrong, is_complete })
+    }
+
+    pub fn hint(&mut self, desk: &mut Desk, [text, drawing]: [&str; 2], stage: f64) -> Result<BoardHint, Refused> {
+        let stage = stage.clamp(1.0, f64::from(STAGES)) as u8;
+        let judged = self.judged(desk, text, drawing).ok().map(|(.., judged)| judged.clone());
+        let read = self.drawing(drawing)?;
+        Ok(self.screen(desk, text)?.hint(&read, judged.as_ref(), stage))
+    }
+
+    pub fn form(&mut self, desk: &mut Desk, text: &str, drawing: &str) -> Result<String, Refused> {
+        self.screen(desk, text)?;
+        let read = self.drawing(drawing)?;
+        let screen = self.screen(desk, text)?;
+        Ok(screen.judge.form(&read).json(&screen.judge.given().solution))
+    }
+
+    pub fn own(&mut self, desk: &mut Desk, text: &str) -> Result<String, Refused> {
+        let screen = self.screen(desk, text)?;
+        let given = screen.judge.given();
+        Ok(own_drawing(given, &given.solution.scales()))
+    }
+
+    pub fn sheets(&mut self, desk: &mut Desk, [text, drawing, name]: [&str; 3]) -> Result<Vec<u8>, Refused> {
+        self.screen(desk, text)?;
+        let read = self.drawing(drawing)?;
+        let sheets = self.screen(desk, text)?.sheets(&read, None, name);
+        pdf_pages(&sheets, None).map_err(|error| Refused::whole(error.to_string()))
+    }
+}
+
+fn refused(BoardError { message, .. }: BoardError) -> Refused {
+    Refused::whole(message)
+}

@@ -1,0 +1,114 @@
+/** Mouse, pen and fingers on the sheets: what a press adds is the engine's answer. */
+import type { App } from "../app.ts";
+import { touch, type Press } from "../look/touch.ts";
+import { newest } from "../state/newest.ts";
+import type { Model } from "./model.ts";
+import type { Place, Stage } from "./stage.ts";
+import type { Snap } from "./types.ts";
+
+/** How near something must be, in pixels: for a finger, and for a mouse or a pen. */
+const REACH = { touch: 22, pen: 10, mouse: 12 };
+/** A finger that rests so long, in ms, sees what it touches. */
+const HOLD = 280;
+
+type By = Press["by"];
+
+/** What is possible at a place, the nearest first. */
+export async function snaps(app: App, model: Model, stage: Stage, at: Place, reach: number): Promise<Snap[]> {
+  const { good } = app.solved.value;
+  if (good === "" || model.until.value !== null) return [];
+  return app.engine.board_snap(good, model.known.value?.drawing ?? "", { has: model.has.value, sheet: stage.sheet, at, reach }).catch(() => []);
+}
+
+export function hands(app: App, model: Model, stages: readonly Stage[]): void {
+  /** Once a pen is seen, fingers look and do not draw. */
+  let hasPen = false;
+  /** What is aimed at just now; null where nothing is. */
+  let aim: { stage: Stage; at: Place; by: By } | null = null;
+
+  const near = (stage: Stage, by: By): number => REACH[by] / stage.view.now.value.scale;
+  const aiming = newest(async ({ stage, at, by }: NonNullable<typeof aim>) => {
+    const [snap] = await snaps(app, model, stage, at, near(stage, by));
+    if (aim?.stage === stage) stage.aim(snap ?? null);
+    if (by === "touch" && aim?.stage === stage) stage.loupe.show(snap?.at ?? at);
+  });
+
+  function aimAt(next: typeof aim): void {
+    if (aim !== null && aim.stage !== next?.stage) {
+      aim.stage.aim(null);
+      aim.stage.loupe.show(null);
+    }
+    aim = next;
+    if (next !== null) aiming.want(next);
+  }
+
+  /** A press at a place; one with which a pull begins finishes nothing. */
+  const press = (stage: Stage, at: Place, by: By, isBeginning = false): Promise<void> =>
+    model.inTurn(async () => {
+      const [snap] = await snaps(app, model, stage, at, near(stage, by));
+      stage.aim(null);
+      if (snap !== undefined && !(isBeginning && snap.is_whole)) await model.take(snap);
+    });
+
+  /** The sheet under a place of one: what is picked up on the scheme is put down on a plan. */
+  function under(stage: Stage, [x, y]: Place): { stage: Stage; at: Place } {
+    const from = stage.root.getBoundingClientRect();
+    const [left, top] = [from.left + x, from.top + y];
+    const found = stages.find(({ root }) => {
+      const box = root.getBoundingClientRect();
+      return box.width > 0 && left >= box.left && left <= box.right && top >= box.top && top <= box.bottom && root.contains(document.elementFromPoint(left, top));
+    });
+    const on = found ?? stage;
+    const box = on.root.getBoundingClientRect();
+    return { stage: on, at: on.view.toSheet([left - box.left, top - box.top]) };
+  }
+
+  for (const stage of stages) {
+    const { over, view } = stage;
+    touch(over, view, {
+      takes: (event) => event.button <= 1,
+      pressed({ by }) {
+        hasPen ||= by === "pen";
+        stage.cursor = null;
+        stage.draw();
+        over.focus({ preventScroll: true });
+      },
+      rests: {
+        after: HOLD,
+        pulls(of, at) {
+          if (of.by !== "touch" || hasPen) return false;
+          aimAt({ stage, at: view.toSheet(at), by: of.by });
+          return true;
+        },
+      },
+      pulls(of) {
+        if (of.button === 1 || (of.by === "touch" && hasPen) || model.until.value !== null) return false;
+        void press(stage, view.toSheet(of.start), of.by, true);
+        return true;
+      },
+      pulled(at, of) {
+        aimAt({ ...under(stage, at), by: of.by });
+      },
+      dropped(at, of) {
+        const there = under(stage, at);
+        aimAt(null);
+        void press(there.stage, there.at, of.by);
+      },
+      cancelled: () => aimAt(null),
+      tapped(at, of) {
+        if (of.button === 1 || (of.by === "touch" && hasPen)) return;
+        void press(stage, view.toSheet(at), of.by);
+      },
+    });
+    over.addEventListener("pointermove", (event) => {
+      if (event.buttons !== 0 || event.pointerType === "touch") return;
+      const { left, top } = over.getBoundingClientRect();
+      aimAt({ stage, at: view.toSheet([event.clientX - left, event.clientY - top]), by: event.pointerType === "pen" ? "pen" : "mouse" });
+    });
+    over.addEventListener("pointerleave", (event) => event.buttons === 0 && aimAt(null));
+    over.addEventListener("contextmenu", (event) => event.preventDefault());
+    over.addEventListener("mousedown", (event) => event.preventDefault());
+  }
+  // What the tool takes next is another thing at the same place.
+  model.has.on(() => aim !== null && aiming.want(aim));
+}

@@ -1,0 +1,108 @@
+/** What is told of the drawing: verdicts, hints by stages, and what is handed in. */
+import type { App } from "../app.ts";
+import { fileName, saveFile } from "../files/save.ts";
+import { said } from "../refused.ts";
+import { newest } from "../state/newest.ts";
+import { signal, type Signal } from "../state/signal.ts";
+import { standing } from "./file.ts";
+import type { Model } from "./model.ts";
+import type { BoardJudged, JudgedEntry } from "./types.ts";
+import { say } from "./words.ts";
+
+export interface Judging {
+  /** Of the drawing as it is; null where it is not judged. */
+  readonly verdicts: Signal<BoardJudged | null>;
+  check(): void;
+  hint(): Promise<void>;
+  /** The drawing as a file. */
+  save(): void;
+  /** Its plans on sheets of paper, as PDF. */
+  sheets(): Promise<void>;
+  /** Its values into the form of the check, and in an exam the file. */
+  handIn(): Promise<void>;
+}
+
+/** Stages of a hint: where, by which relation, the operation itself. */
+const STAGES = 3;
+
+/** What is wrong with an entry, what was probably done, and what it should be: one sentence. */
+export function whyOf({ says, done, should }: JudgedEntry): string {
+  const there = (words: string | null | undefined): words is string => words != null && words !== "";
+  const why = [says, [done, should].filter(there).join("; ")].filter(there).join(": ");
+  return why === "" ? "" : `${why}.`;
+}
+
+export function judging(app: App, model: Model): Judging {
+  const verdicts = signal<BoardJudged | null>(null);
+  let stage = 0;
+  const seen = (): string => model.known.value?.drawing ?? "";
+  const tell = (text: string, isBad = false): void => {
+    model.says.set({ text, isBad });
+    app.speak(text);
+  };
+
+  const judge = newest(async (isAsked: boolean) => {
+    const of = seen();
+    try {
+      const judged = await app.engine.board_judge(app.solved.value.good, of);
+      if (of !== seen()) return;
+      verdicts.set(judged);
+      const wrong = judged.first_wrong == null ? undefined : judged.entries[judged.first_wrong];
+      if (wrong !== undefined) tell([say("first_wrong", { number: standing(model.drawing().did).indexOf(wrong.index) + 1 }), whyOf(wrong)].join(" "), true);
+      else if (isAsked) tell(judged.is_complete ? say("all_right") : say("right_so_far"));
+    } catch (refused) {
+      tell(said(refused), true);
+    }
+  });
+
+  const name = (): string => fileName(model.drawing().exercise ?? app.solved.value.opened?.title, "drawing");
+  const save = (): void => saveFile(`${name()}.json`, seen(), "application/json");
+
+  let before = "";
+  model.known.on(() => {
+    // Of another drawing nothing is known, and of one with another head all; at once what the teacher lets be told at once.
+    const did = JSON.stringify([app.solved.value.good, model.drawing().did]);
+    if (did === before) return;
+    before = did;
+    stage = 0;
+    verdicts.set(null);
+    model.shown.set(null);
+    const { mode, at_once } = model.use();
+    if ((at_once && mode === "practice") || mode === "demonstration" || model.looked.value !== null) judge.want(false);
+  });
+
+  return {
+    verdicts,
+    check: () => judge.want(true),
+    async hint() {
+      stage = Math.min(stage + 1, STAGES);
+      try {
+        const hint = await app.engine.board_hint(app.solved.value.good, seen(), stage);
+        model.head({ hints: (model.drawing().hints ?? 0) + 1 });
+        if (hint.sheet != null && hint.ghost.length > 0) model.shown.set({ sheet: hint.sheet, ghost: hint.ghost, kind: "hint" });
+        tell(hint.words);
+      } catch (refused) {
+        tell(said(refused), true);
+      }
+    },
+    save,
+    async sheets() {
+      try {
+        const bytes = await app.engine.board_sheets(app.solved.value.good, seen(), model.drawing().exercise ?? "");
+        saveFile(`${name()}.pdf`, bytes, "application/pdf");
+      } catch (refused) {
+        tell(said(refused), true);
+      }
+    },
+    async handIn() {
+      try {
+        const form = await app.engine.board_form(app.solved.value.good, seen());
+        app.history.change({ form });
+        if (model.use().mode === "exam") save();
+        tell(say("handed_in"));
+      } catch (refused) {
+        tell(said(refused), true);
+      }
+    },
+  };
+}

@@ -1,0 +1,287 @@
+/** What the board knows: the drawing, the entry under way, what the engine says of both. The drawing's text is the only state that is kept. */
+import type { App } from "../app.ts";
+import { formFile } from "../panels/check/form.ts";
+import { said } from "../refused.ts";
+import type { Sheet } from "../sheets.ts";
+import { newest } from "../state/newest.ts";
+import { signal, type Signal } from "../state/signal.ts";
+import type { BoardUse } from "../state/address.ts";
+import { drawingOf, drawingText, standing, type Drawing, type Entry } from "./file.ts";
+import { begun, lacking, slotsOf, type Tool } from "./tools.ts";
+import type { Board, Ghost, Snap } from "./types.ts";
+import { say } from "./words.ts";
+
+/** What is shown over a sheet besides what is drawn. */
+export interface Shown {
+  sheet: Sheet;
+  ghost: readonly Ghost[];
+  kind: "hint" | "entry";
+}
+
+export interface Model {
+  /** What the engine says of the drawing; null before it has said anything. */
+  readonly known: Signal<Board | null>;
+  readonly tool: Signal<Tool>;
+  /** The entry under way. */
+  readonly has: Signal<Entry>;
+  /** The sheet that is shown alone; empty where all are. */
+  readonly alone: Signal<Sheet | "">;
+  /** How many entries are shown; null for all. */
+  readonly until: Signal<number | null>;
+  /** Another drawing that is looked at in place of the own: the program's, or somebody else's. */
+  readonly looked: Signal<string | null>;
+  /** The own drawing before another file was opened; null where none was. */
+  readonly replaced: Signal<string | null>;
+  readonly shown: Signal<Shown | null>;
+  /** What is said below: why something was refused, or what to do. */
+  readonly says: Signal<{ text: string; isBad: boolean }>;
+  readonly canUndo: Signal<boolean>;
+  readonly canRedo: Signal<boolean>;
+  use(): BoardUse;
+  drawing(): Drawing;
+  text(): string;
+  choose(tool: Tool): void;
+  /** Another value in the entry under way. */
+  fill(entry: Entry): void;
+  /** Takes what a press has added: the entry is written where all is said. */
+  take(snap: Snap): Promise<boolean>;
+  /** Writes the entry under way, with a name of the board's own where one may be missing. */
+  write(): Promise<boolean>;
+  undo(): Promise<void>;
+  redo(): Promise<void>;
+  /** Takes the entry with this index back, and all after it. */
+  undoFrom(index: number): Promise<void>;
+  /** Begins with another drawing. */
+  open(text: string): Promise<boolean>;
+  /** The head of the file with something else in it. */
+  head(part: Partial<Drawing>): void;
+  /** One thing after the other. */
+  inTurn(act: () => unknown): Promise<void>;
+}
+
+/** How the board is used where no link says it. */
+const USUAL: BoardUse = { mode: "practice", snap: "all", at_once: false };
+
+export function model(app: App): Model {
+  const known = signal<Board | null>(null);
+  const tool = signal<Tool>("lay_off");
+  const has = signal<Entry>(begun("lay_off"));
+  const says = signal({ text: "", isBad: false });
+  const canUndo = signal(false);
+  const canRedo = signal(false);
+  const until = signal<number | null>(null);
+  const looked = signal<string | null>(null);
+  /** What was undone last, the last of it at the end; anything else that is written clears it. */
+  const replaced = signal<string | null>(null);
+  let undone: Entry[] = [];
+  let opened = performance.now();
+  let turn: Promise<unknown> = Promise.resolve();
+
+  const scene = (): string => app.solved.value.good;
+  const text = (): string => app.history.now.value.drawing ?? "";
+  const drawing = (): Drawing => drawingOf(known.value?.drawing ?? text()) ?? { kinegon_drawing: 1, did: [] };
+  const use = (): BoardUse => app.board.value ?? USUAL;
+
+  function show(next: Board): void {
+    known.set(next);
+    canUndo.set(standing(drawing().did).length > 0);
+    canRedo.set(undone.length > 0);
+  }
+
+  /** An empty drawing with its exercise, whose it is, and what the hand is helped with. */
+  function begunWith(empty: string): string {
+    const { exercise, name } = formFile(app.history.now.value.form) ?? {};
+    const { did = [], ...head } = drawingOf(empty) ?? { kinegon_drawing: 1 as const };
+    return drawingText({ ...head, ...(name && { name }), ...(exercise && { exercise }), snap: use().snap, did });
+  }
+
+  /** Another drawing comes in place of this one, which can be had back. */
+  function replace(): void {
+    if (known.value !== null && drawing().did.length > 0) replaced.set(known.value.drawing);
+    undone = [];
+    until.set(null);
+  }
+
+  const asking = newest(async (of: string) => {
+    if (scene() === "") return;
+    try {
+      const found = await app.engine.board(scene(), of);
+      show(of === "" ? await app.engine.board(scene(), begunWith(found.drawing)) : found);
+    } catch (refused) {
+      says.set({ text: said(refused), isBad: true });
+    }
+  });
+
+  /** Puts the drawing with more entries in place of this one, unless the engine refuses the last of them. */
+  async function put(entries: Entry[]): Promise<boolean> {
+    if (looked.value !== null) return false;
+    const now = drawing();
+    const t = Math.max(0, Math.round(performance.now() - opened));
+    const next = drawingText({ ...now, did: [...now.did, ...entries.map((entry) => ({ ...entry, t }))] });
+    try {
+      const found = await app.engine.board(scene(), next);
+      if (found.refused !== null && found.refused.entry >= now.did.length) {
+        says.set({ text: found.refused.message, isBad: true });
+        return false;
+      }
+      until.set(null);
+      show(found);
+      app.history.draw(found.drawing);
+      return true;
+    } catch (refused) {
+      says.set({ text: said(refused), isBad: true });
+      return false;
+    }
+  }
+
+  /** The entry with the names that the board gives. */
+  function named(entry: Entry): Entry {
+    const of = tool.value;
+    const free = known.value?.free;
+    const slot = slotsOf(of, entry).find(({ blank }) => blank === "name");
+    if (slot === undefined || free === undefined || slot.get(entry).trim() !== "") return entry;
+    if (slot.takes === "line_name") return slot.set(entry, free.line);
+    if (of !== "measure") return entry;
+    const both = `${String(entry["from"])}${String(entry["to"])}`.replace(/[^A-Za-z0-9_]/g, "");
+    const isFree = both !== "" && !known.value!.numbers.some(({ name }) => name === both);
+    return slot.set(entry, isFree ? both : free.number);
+  }
+
+  /** Takes back what made a thing and all that hangs on it; what came after it and does not is written again. */
+  function rubbed(name: string): Entry[] | null {
+    const { did } = drawing();
+    const entries = known.value?.did ?? [];
+    const first = known.value?.things.find((thing) => thing.name === name && thing.entry !== null)?.entry;
+    if (first == null) return null;
+    const after = standing(did).filter((index) => index >= first);
+    const gone = new Set([first]);
+    for (const index of after) if (entries[index]?.needs.some((need) => gone.has(need))) gone.add(index);
+    const again = after.filter((index) => !gone.has(index)).map((index) => did[index]!);
+    return [{ undo: after.length }, ...again];
+  }
+
+  async function write(): Promise<boolean> {
+    const entry = named(has.value);
+    const slot = lacking(tool.value, entry);
+    if (slot !== undefined) {
+      says.set({ text: say(`wants_${slot.takes}`), isBad: true });
+      return false;
+    }
+    const entries = tool.value === "rub" ? rubbed(String(entry["rub"])) : [entry];
+    if (entries === null || !(await put(entries))) return false;
+    undone = [];
+    canRedo.set(false);
+    has.set(begun(tool.value, entry));
+    const words = tool.value === "rub" ? say("rubbed", { name: String(entry["rub"]) }) : (known.value?.did.at(-1)?.words ?? "");
+    says.set({ text: words, isBad: false });
+    app.speak(words);
+    return true;
+  }
+
+  async function undo(): Promise<void> {
+    const { did } = drawing();
+    const last = standing(did).at(-1);
+    if (last === undefined) return;
+    const { t: _, ...entry } = did[last] as Record<string, unknown>;
+    if (!(await put([{ undo: 1 }]))) return;
+    undone = [...undone, entry];
+    canRedo.set(true);
+    says.set({ text: say("undone"), isBad: false });
+    app.speak(say("undone"));
+  }
+
+  const own: Model = {
+    known,
+    tool,
+    has,
+    alone: signal<Sheet | "">(""),
+    until,
+    looked,
+    replaced,
+    shown: signal<Shown | null>(null),
+    says,
+    canUndo,
+    canRedo,
+    use,
+    drawing,
+    text,
+    choose(next) {
+      tool.set(next);
+      has.set(begun(next, has.value));
+      own.shown.set(null);
+      says.set({ text: say(`how_${next}`), isBad: false });
+    },
+    fill(entry) {
+      has.set(entry);
+      if (says.value.isBad) says.set({ text: "", isBad: false });
+    },
+    async take(snap) {
+      own.fill(snap.entry);
+      if (!snap.is_whole || lacking(tool.value, named(snap.entry)) !== undefined) return false;
+      return write();
+    },
+    write,
+    undo,
+    async redo() {
+      const next = undone.at(-1);
+      if (next === undefined || !(await put([next]))) return;
+      undone = undone.slice(0, -1);
+      canRedo.set(undone.length > 0);
+      app.speak(say("redone"));
+    },
+    async undoFrom(index) {
+      const count = standing(drawing().did).filter((each) => each >= index).length;
+      undone = [];
+      if (count > 0 && (await put([{ undo: count }]))) says.set({ text: say("undone"), isBad: false });
+    },
+    async open(next) {
+      if (drawingOf(next) === null) return false;
+      try {
+        const found = await app.engine.board(scene(), next);
+        replace();
+        show(found);
+        app.history.draw(found.drawing);
+        return true;
+      } catch (refused) {
+        says.set({ text: said(refused), isBad: true });
+        return false;
+      }
+    },
+    head(part) {
+      const next = drawingText({ ...drawing(), ...part });
+      app.history.draw(next);
+      asking.want(next);
+    },
+    inTurn(act) {
+      turn = turn.then(act, act);
+      return turn.then(
+        () => undefined,
+        () => undefined,
+      );
+    },
+  };
+
+  // Another drawing, or another scene.
+  let last = "";
+  const follow = (): void => {
+    if (!app.drawing.value || scene() === "") return;
+    const wanted = looked.value ?? text();
+    const now = `${scene()}\n${wanted}`;
+    if (now === last) return;
+    const isOtherScene = !last.startsWith(`${scene()}\n`);
+    last = now;
+    if (!isOtherScene && known.value?.drawing === wanted) return;
+    if (!isOtherScene && looked.value === null) replace();
+    asking.want(wanted);
+  };
+  app.drawing.on((is) => {
+    // Time runs on from where it was left.
+    if (is) opened = performance.now() - Number(drawing().did.at(-1)?.["t"] ?? 0);
+    last = "";
+    follow();
+  });
+  app.history.now.on(follow);
+  app.solved.on(follow);
+  looked.on(follow);
+  return own;
+}

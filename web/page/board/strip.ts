@@ -1,0 +1,267 @@
+/** The entry under way as a sentence with boxes: the calculator, and the whole board for who does not see. The canvas fills the same boxes. */
+import { element } from "../dom/element.ts";
+import { button } from "../dom/worded.ts";
+import { called } from "../sheets.ts";
+import { language } from "../words.ts";
+import type { Entry } from "./file.ts";
+import type { Model } from "./model.ts";
+import { HOWS, lacking, slotsOf, type Slot, type Takes } from "./tools.ts";
+import type { Board } from "./types.ts";
+import { say } from "./words.ts";
+
+/** What can be chosen: a name of the file and what is shown of it. */
+type Choice = [value: string, shown: string];
+
+/** Slots that are written into; the others are chosen from what there is. */
+const WRITTEN: readonly Takes[] = ["formula", "formulas", "point_name", "line_name", "number_name", "names", "angle"];
+
+export interface Strip {
+  root: HTMLElement;
+  /** Puts the keys on what is to be filled next. */
+  focus(): void;
+  /** The same where that is written, and not pointed at. */
+  focusWritten(): void;
+}
+
+/** `back` gives the keys back to the sheets after something was written by keys there. */
+export function strip(model: Model, back: () => void): Strip {
+  const form = element("form", { class: "entry-form", id: "board-entry", autocomplete: "off" });
+  const chips = element("div", { class: "chips", role: "group" });
+  const says = element("p", { class: "says", role: "status", tabindex: 0 });
+  const draw = button(() => say("write"), () => undefined, { type: "submit", form: "board-entry", class: "main" });
+  const root = element("div", { class: "strip" }, says, form, draw, chips);
+  /** The boxes of the present sentence by their blanks. */
+  let boxes = new Map<string, HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement>();
+  let shape = "";
+  /** The blank whose box the chips go into. */
+  let chosen = "";
+  /** Whether keys came from a sheet, and go back to it. */
+  let fromSheet = false;
+
+  function choicesOf(takes: Takes, known: Board, on: string): Choice[] {
+    const things = (kinds: string[], isThere: (sheet: string) => boolean): Choice[] => known.things.filter(({ kind, sheet }) => kinds.includes(kind) && isThere(sheet)).map(({ name, words }) => [name, words]);
+    switch (takes) {
+      case "sheet":
+        return known.sheets.map(({ sheet }) => [sheet, called(sheet, "name")]);
+      case "point":
+        return things(["point"], (sheet) => sheet === on);
+      case "scheme":
+        return things(["point"], (sheet) => sheet === "scheme");
+      case "line":
+        return things(["line"], () => true);
+      case "direction":
+        return things(["link", "guide", "line"], () => true);
+      case "made":
+        return known.things.filter(({ entry }) => entry !== null).map(({ name, words }) => [name, words]);
+      case "how":
+        return HOWS.map((how) => [how, say(how)]);
+      case "sense":
+        return [["", say("sense_none")], ["ccw", say("ccw")], ["cw", say("cw")]];
+      default:
+        return [];
+    }
+  }
+
+  /** The sheet that the entry is drawn on: what it says, else the one that is looked at. */
+  function onOf(entry: Entry): string {
+    const said = entry["on"];
+    if (typeof said === "string" && said !== "") return said;
+    const { value } = model.alone;
+    return value !== "" && value !== "scheme" ? value : (model.known.value?.sheets.find(({ sheet }) => sheet !== "scheme")?.sheet ?? "scheme");
+  }
+
+  function fill(slot: Slot, value: string): void {
+    const entry = slot.set(model.has.value, value);
+    // Which sheet is meant is said as soon as something stands on it.
+    const needsSheet = slotsOf(model.tool.value, entry).some(({ takes }) => takes === "sheet") && entry["on"] === undefined;
+    model.fill(needsSheet ? { ...entry, on: onOf(entry) } : entry);
+  }
+
+  function boxOf(slot: Slot): HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement {
+    const label = say(`slot_${slot.takes}`);
+    const given = { "aria-label": label, title: label, "data-blank": slot.blank };
+    if (!WRITTEN.includes(slot.takes)) {
+      const box = element("select", given);
+      box.onchange = () => fill(slot, box.value);
+      return box;
+    }
+    const isLong = slot.takes === "formulas";
+    const box = isLong ? element("textarea", { ...given, rows: 2 }) : element("input", { ...given, type: "text", spellcheck: "false", autocapitalize: "off", inputmode: slot.takes === "angle" ? "decimal" : null });
+    box.classList.add(slot.takes);
+    box.oninput = () => fill(slot, box.value);
+    box.onfocus = () => {
+      chosen = slot.blank;
+      offer();
+    };
+    return box;
+  }
+
+  /** Builds the sentence anew where its boxes are others. */
+  function build(): void {
+    const tool = model.tool.value;
+    const slots = slotsOf(tool, model.has.value);
+    const next = [language.value, tool, ...slots.map(({ blank, takes }) => blank + takes)].join();
+    if (next === shape) return;
+    shape = next;
+    chosen = "";
+    boxes = new Map(slots.map((slot) => [slot.blank, boxOf(slot)]));
+    // The blanks of the sentence are where the boxes stand.
+    const marked = Object.fromEntries(["on", "how", "reference", ...slots.map(({ blank }) => blank)].map((blank) => [blank, `\u0001${blank}\u0001`]));
+    const parts = say(`form_${tool}`, marked).split("\u0001");
+    form.replaceChildren(...parts.flatMap((part) => {
+      const box = boxes.get(part);
+      return box !== undefined ? [box] : part.trim() === "" || part in marked ? [] : [element("span", {}, part.trim())];
+    }));
+    form.setAttribute("aria-label", say(`tool_${tool}`));
+  }
+
+  function show(): void {
+    const known = model.known.value;
+    if (known === null) return;
+    build();
+    const entry = model.has.value;
+    const on = onOf(entry);
+    for (const slot of slotsOf(model.tool.value, entry)) {
+      const box = boxes.get(slot.blank);
+      if (box === undefined) continue;
+      const value = slot.takes === "sheet" ? on : slot.get(entry);
+      if (box instanceof HTMLSelectElement) {
+        const choices = choicesOf(slot.takes, known, on);
+        const all: Choice[] = slot.takes === "sheet" || slot.takes === "how" || slot.takes === "sense" ? choices : [["", "…"], ...choices];
+        // A value that the canvas has found may be none of those that are offered.
+        if (value !== "" && !all.some(([name]) => name === value)) all.push([value, value]);
+        const key = JSON.stringify(all);
+        if (box.dataset["choices"] !== key) box.replaceChildren(...all.map(([name, shown]) => element("option", { value: name }, shown)));
+        box.dataset["choices"] = key;
+      }
+      if (box.value !== value && document.activeElement !== box) box.value = value;
+      if (box.value !== value && box instanceof HTMLSelectElement) box.value = value;
+      box.classList.toggle("lacking", lacking(model.tool.value, entry)?.blank === slot.blank);
+    }
+    // On a narrow screen the sentence is one line, of which what comes next is seen.
+    if (form.scrollWidth > form.clientWidth) {
+      const next = form.querySelector<HTMLElement>(".lacking");
+      if (next !== null && !form.contains(document.activeElement)) form.scrollTo({ left: next.offsetLeft - form.offsetLeft - 60 });
+    }
+    offer();
+  }
+
+  /** Names and numbers to choose from, for the box that is written in, or that comes next. */
+  function offer(): void {
+    const known = model.known.value;
+    if (known === null) return;
+    const entry = model.has.value;
+    const slots = slotsOf(model.tool.value, entry);
+    const next = lacking(model.tool.value, entry);
+    const last = slots.find(({ blank }) => blank === chosen);
+    // What is written in; what comes next, if that is written; else a formula goes on.
+    const isIn = last !== undefined && document.activeElement === boxes.get(chosen);
+    const slot = isIn ? last : next !== undefined && WRITTEN.includes(next.takes) ? next : last?.takes === "formula" ? last : undefined;
+    const all = slot === undefined ? [] : chipsOf(slot.takes, known, onOf(entry));
+    if (slot === undefined) return chips.replaceChildren();
+    chips.setAttribute("aria-label", say(`slot_${slot.takes}`));
+    chips.replaceChildren(...all.map(({ name, label, value }) => {
+      const chip = element("button", { type: "button", "data-name": name });
+      const shown = element("i");
+      shown.innerHTML = label;
+      chip.append(shown, ...(value === "" ? [] : [element("small", {}, value)]));
+      chip.onpointerdown = (event) => event.preventDefault();
+      chip.onclick = () => chip.isConnected && void pick(slot, name);
+      return chip;
+    }));
+  }
+
+  function chipsOf(takes: Takes, known: Board, on: string): { name: string; label: string; value: string }[] {
+    // What was found last comes first.
+    if (takes === "formula" || takes === "formulas") return known.numbers.toSorted((a, b) => (b.entry ?? -1) - (a.entry ?? -1)).map(({ name, label, value, unit }) => ({ name, label, value: `${value} ${unit}`.trim() }));
+    const kind = takes === "point_name" ? "point" : takes === "number_name" || takes === "names" ? "number" : "";
+    const sheet = takes === "point_name" ? onOfName(on) : null;
+    const own = takes === "point_name" ? known.free.point : takes === "number_name" ? known.free.number : "";
+    const offered = known.names.filter((one) => one.kind === kind && !one.is_made && (sheet === null || one.sheet === sheet)).map(({ name, label }) => ({ name, label, value: "" }));
+    return own === "" || kind === "" ? offered : [...offered, { name: own, label: own, value: say("own") }];
+  }
+
+  /** A crossing is on the sheet of its lines. */
+  function onOfName(on: string): string {
+    const first = (model.has.value["of"] as string[] | undefined)?.[0];
+    return model.known.value?.things.find(({ kind, name }) => kind === "line" && name === first)?.sheet ?? on;
+  }
+
+  async function pick(slot: Slot, name: string): Promise<void> {
+    const box = boxes.get(slot.blank);
+    chosen = slot.blank;
+    if (slot.takes === "formula" || slot.takes === "formulas" || slot.takes === "names") {
+      const before = slot.get(model.has.value);
+      const at = box instanceof HTMLInputElement && document.activeElement === box ? (box.selectionStart ?? before.length) : before.length;
+      const joint = slot.takes === "names" ? ", " : "*";
+      // Two quantities one after the other are multiplied.
+      const link = at > 0 && !/[-+*/^(=,\s]$/.test(before.slice(0, at)) ? joint : "";
+      fill(slot, before.slice(0, at) + link + name + before.slice(at));
+      const next = boxes.get(slot.blank);
+      if (next !== undefined && document.activeElement === next) next.value = slot.get(model.has.value);
+      return;
+    }
+    fill(slot, name);
+    if (box !== undefined) box.value = name;
+    // With its name an entry of the canvas is whole.
+    if (lacking(model.tool.value, model.has.value) === undefined && slot.takes === "point_name") await write();
+  }
+
+  async function write(): Promise<void> {
+    await model.inTurn(async () => {
+      const next = lacking(model.tool.value, model.has.value);
+      // What is pointed at is pointed at on the sheets.
+      if (fromSheet && next !== undefined && !WRITTEN.includes(next.takes)) return back();
+      const isWritten = await model.write();
+      if (!isWritten) return own.focus();
+      if (fromSheet) back();
+      fromSheet = false;
+    });
+  }
+
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    void write();
+  });
+  root.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    event.preventDefault();
+    event.stopPropagation();
+    fromSheet = false;
+    back();
+  });
+  chips.addEventListener("keydown", (event) => {
+    const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+    if (by === undefined) return;
+    const all = [...chips.querySelectorAll<HTMLButtonElement>("button")];
+    all[(all.indexOf(document.activeElement as HTMLButtonElement) + by + all.length) % all.length]?.focus();
+    event.preventDefault();
+  });
+
+  const own: Strip = {
+    root,
+    focusWritten() {
+      const next = lacking(model.tool.value, model.has.value);
+      if (next !== undefined && WRITTEN.includes(next.takes)) own.focus();
+    },
+    focus() {
+      fromSheet = root.parentElement?.querySelector(".over:focus") !== null;
+      const next = lacking(model.tool.value, model.has.value);
+      const box = next === undefined ? draw : boxes.get(next.blank);
+      offer();
+      // A name is chosen from what is offered.
+      const chip = next?.takes === "point_name" ? chips.querySelector("button") : null;
+      (chip ?? box)?.focus();
+    },
+  };
+  model.says.on(({ text, isBad }) => {
+    says.textContent = text;
+    says.classList.toggle("bad", isBad);
+  });
+  model.has.on(show);
+  model.tool.on(show);
+  model.known.on(show);
+  model.alone.on(show);
+  language.on(show);
+  return own;
+}
