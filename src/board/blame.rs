@@ -15,6 +15,12 @@ use crate::geometry::{Vector, unit};
 use crate::message::Message;
 use std::collections::BTreeSet;
 
+/// Most names of a formula that is written out.
+const MOST_NAMES: usize = 40;
+
+/// The longest chain of the hand's own things that is gone through.
+const MOST_CHAINED: usize = 25;
+
 impl Bench<'_> {
     /// The verdict on a wrong entry: it is wrong itself, or follows from something of the hand's own that nothing else has judged.
     pub(super) fn blamed(
@@ -100,8 +106,13 @@ impl Bench<'_> {
                 _ => None,
             }
         };
-        // A number of one's own may be made of others.
-        let out = |formula: &Formula| (0..3).fold(formula.clone(), |formula, _| formula.with(&own));
+        // A number of one's own may be made of others, which a long drawing does without end.
+        let out = |formula: &Formula| {
+            (0..3).fold(formula.clone(), |formula, _| match formula.names().len() {
+                0..MOST_NAMES => formula.with(&own),
+                _ => formula,
+            })
+        };
         match entry {
             Entry::LayOff(laid) => Entry::LayOff(LayOff { size: out(&laid.size), ..laid.clone() }),
             Entry::Compute(compute) => Entry::Compute(Compute { by: compute.by.as_ref().map(out), ..compute.clone() }),
@@ -188,7 +199,8 @@ impl Bench<'_> {
         };
         // What has a name of its own may still be the wrong one here.
         let all = suspects.iter().chain(hangs_on.iter().filter(|index| !suspects.contains(index)));
-        let found = all.copied().find_map(|suspect| mended(suspect).map(|right| (suspect, Some(right))));
+        let mut all = all.copied().filter(|_| hangs_on.len() <= MOST_CHAINED);
+        let found = all.find_map(|suspect| mended(suspect).map(|right| (suspect, Some(right))));
         found.or_else(|| {
             let is_number = !matches!(entry, Entry::Line(_) | Entry::Join(_)) && self.has_right_direction(entry, made);
             suspects.first().filter(|_| is_number).map(|first| (*first, None))

@@ -5,7 +5,7 @@ use super::file::{Entry, LayOff, Like};
 use super::slips::Slip;
 use super::table::Made;
 use crate::check::{Blank, Told, tell};
-use crate::geometry::{Vector, cross};
+use crate::geometry::{Vector, cross, quarter_turn};
 use crate::sheet::Sheet;
 
 impl Slip<'_, '_> {
@@ -26,14 +26,21 @@ impl Slip<'_, '_> {
                 return Some(tell::vector_from_wrong_point(name.into(), laid.from.as_str().into(), start.into()));
             }
         }
-        let is_along = cross(found, meant).abs() <= 10.0 * self.tolerance * found.norm() * meant.norm();
+        let [from, to] = [Blank::from(laid.from.as_str()), Blank::from(name)];
+        if let Some(told) = self.coriolis(sheet, [from.clone(), to.clone()], found, meant) {
+            return Some(told);
+        }
+        let sizes = found.norm() * meant.norm();
+        if found.dot(&meant).abs() <= self.tolerance * sizes && self.is_same(found.norm(), meant.norm()) {
+            return Some(tell::turned_vector(from, to));
+        }
+        let is_along = cross(found, meant).abs() <= 10.0 * self.tolerance * sizes;
         if !is_along || meant.norm() == 0.0 {
             return None;
         }
         let ratio = found.dot(&meant) / meant.norm_squared();
         let sign = self.table.formula(&laid.size).ok()?.signum() * ratio.signum();
         if self.is_same(ratio, -1.0) {
-            let [from, to] = [Blank::from(laid.from.as_str()), Blank::from(name)];
             let is_normal = sheet == Sheet::Acceleration && matches!(laid.along, Direction::Parallel { .. });
             let length = laid.size.names().into_iter().find(|name| name.starts_with("L("));
             return Some(match length {
@@ -47,6 +54,39 @@ impl Slip<'_, '_> {
         let factor = || self.factor(name, Some(&laid.size), ratio * meant.norm(), meant.norm());
         let told = if laid.size.has_numbers() { factor().or_else(formula) } else { formula().or_else(factor) };
         told.or_else(|| self.normal(laid, sheet, name, found.norm(), meant.norm()))
+    }
+
+    /// A Coriolis acceleration along its guide, turned the wrong way, without its 2, with another velocity or another ω.
+    fn coriolis(&self, sheet: Sheet, [from, to]: [Blank; 2], found: Vector, right: Vector) -> Option<Told> {
+        let given = self.table.given;
+        let mechanism = given.mechanism();
+        let is_near = |a: Vector, b: Vector| (a - b).norm() <= self.tolerance.max(1e-6) * b.norm();
+        let mut sliders = mechanism.slider_ids().filter(|_| sheet == Sheet::Acceleration);
+        let id = sliders.find(|&id| {
+            let size = given.number(&format!("a_c({})", mechanism.slider_name(id))).unwrap_or(0.0);
+            let part = quarter_turn(given.solution.pose.guide(id)) * size;
+            size != 0.0 && (is_near(right, part) || is_near(right, -part))
+        })?;
+        let slider = mechanism.slider_name(id);
+        let link = &mechanism.body(mechanism.slider(id).on).name;
+        let [rate, velocity] = [format!("omega({link})"), format!("v_r({slider})")].map(Blank::Symbol);
+        let (along, across) = (quarter_turn(right), -right);
+        if is_near(found, along) || is_near(found, -along) {
+            return Some(tell::coriolis_along(from, to, rate, velocity));
+        }
+        if is_near(found, across) {
+            return Some(tell::coriolis_turned(from, to, rate, velocity));
+        }
+        let ratio = found.norm() / right.norm();
+        if cross(found, right).abs() > 10.0 * self.tolerance * found.norm() * right.norm() {
+            return None;
+        }
+        if self.is_same(ratio, 0.5) {
+            return Some(tell::coriolis_without_two(from, to, rate, velocity));
+        }
+        let sliding = given.number(&format!("v_r({slider})"))?.abs();
+        let other = given.places(Sheet::Velocity).find(|(_, v)| self.is_same(ratio, v.norm() / sliding))?;
+        Some(tell::coriolis_velocity(from, to, rate, velocity, other.0.into()))
     }
 
     /// A normal part whose size was worked out otherwise: with ω, the ω of another link, an absolute velocity, the diameter.

@@ -52,8 +52,14 @@ impl Slip<'_, '_> {
     /// A segment that was measured between other points, or read otherwise than it is.
     fn measured(&self, measure: &Measure, (name, found): &(String, f64), right: f64) -> Option<Told> {
         let (sheet, ends) = super::reads::segment_of(name).or_else(|| {
+            // Two points written together mean what lies between them.
             let sheet = measure.on?;
-            Some((sheet, [measure.from.clone(), measure.to.clone()]))
+            let points: Vec<&str> = self.table.given.places(sheet).map(|(point, _)| point).collect();
+            let split = points.iter().find_map(|first| {
+                let second = name.strip_prefix(first).filter(|second| points.contains(second))?;
+                Some([(*first).to_owned(), second.to_owned()])
+            });
+            Some((sheet, split.unwrap_or_else(|| [measure.from.clone(), measure.to.clone()])))
         })?;
         let quantity = || Blank::Quantity(name.clone());
         if !self.is_same(*found, right) {

@@ -264,11 +264,12 @@ impl Press<'_> {
     fn along(&self, name: &str) -> Json {
         let mut along = self.pressed.has.get("along").cloned().unwrap_or_else(|| json!({ "normal": "" }));
         let Some(parts) = along.as_object_mut() else { return json!({ "normal": name }) };
+        let is_turned = parts.contains_key("turned");
         let turned = parts.get_mut("turned").and_then(Json::as_array_mut);
         let missing = turned.and_then(|all| all.iter_mut().find(|part| part.as_str() == Some("")));
         match missing {
             Some(part) => *part = json!(name),
-            None if parts.contains_key("turned") => {
+            None if is_turned => {
                 parts.insert("base".to_owned(), json!(name));
             }
             None => parts.values_mut().take(1).for_each(|part| *part = json!(name)),

@@ -37,8 +37,8 @@ class Verdict:
         self.strictly = self.first == self.entry
         self.right = self.strictly or self.first in sheet.also
         self.name = self.entries.get(self.first, {}).get("mistake") if self.first is not None else None
-        self.named = self.right and self.kind is not None and self.name in self.kind.names
-        self.misnamed = self.right and self.kind is not None and self.name not in (*NO_NAME, *self.kind.names, *self.kind.may)
+        self.named = self.right and self.kind is not None and self.name in self.kind.names | sheet.alike
+        self.misnamed = self.right and self.kind is not None and self.name not in (*NO_NAME, *self.kind.names, *self.kind.may, *sheet.alike)
 
 
 def check(kinegon, folder, sheet, number):

@@ -205,7 +205,7 @@ def divided_twice(p):
     return p.but(**{"as": f"{p.entry['as']}/{p.op.info['length']}"})
 
 
-@kind("block-turns-otherwise", "omega-of-another-link", "same")
+@kind("block-turns-otherwise", "", "same", may="omega-of-another-link")
 def block_otherwise(p):
     head = p.entry["as"].split("(")[0]
     other = p.pick(p.rates(head, p.entry["as"]))

@@ -182,7 +182,7 @@ def mirrored(p):
     return None if p.op.info["flat"] else p.but(mirrored=True)
 
 
-@kind("wrong-ratio", "wrong-ratio", "like", "part")
+@kind("wrong-ratio", "wrong-ratio mirrored-image", "like", "part")
 def wrong_ratio(p):
     if p.op.role == "part":
         if "as" in p.entry:

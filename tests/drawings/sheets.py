@@ -29,6 +29,7 @@ class Sheet:
     also: set = field(default_factory=set)
     moved: float = 0.0
     alone: list = field(default_factory=list)
+    alike: set = field(default_factory=set)
 
 
 class Counts(Counter):
@@ -94,6 +95,24 @@ def right_alone(case, scale, right, new, wrong, free):
     return max((c / size if size else c) for c, size in changes), 0.03 + (0.9 / max(mm, 0.9) if free else 0)
 
 
+def alike(case, scale, right, new, wrong):
+    """Names that the same line has as well: the normal to a lever through the pin on it is both, drawn from the wrong point and, as the
+    other ray, turned."""
+    if wrong.kind != "line" or "askew" in wrong.info:
+        return set()
+    sheets = ways.carry_out(case.mechanism, right, scale)
+    before = sheets.lines.pop(wrong.entry["line"], None)
+    cross = next((op for op in right if op.kind == "cross" and wrong.entry["line"] in op.entry["of"]), None)
+    if not cross or not before:
+        return set()
+    sheets.do(wrong.entry)
+    _, place, way = sheets.lines[wrong.entry["line"]]
+    other = next(name for name in cross.entry["of"] if name != wrong.entry["line"])
+    _, there, along = sheets.lines[other]
+    same = abs(dot(way, along)) < 1e-6 and abs(dot(way * 1j, there - place)) < 1e-6 * scale[cross.entry["on"]]
+    return {"turned-ray", "ray-from-wrong-point"} if same else set()
+
+
 def laid_on(op, ops):
     """The sheet on which a number is laid off."""
     if "size" in op.entry:
@@ -104,7 +123,7 @@ def laid_on(op, ops):
 def planted(case, ops, own, scale, hand, rng, count, only, tally):
     """Operations with so many mistakes: (operations, [(operation, kind)], how far they move a value, how far each is off alone)."""
     right = ways.values(ways.carry_out(case.mechanism, ops, scale), own)
-    new, wrongs, alones = ops, [], []
+    new, wrongs, alones, also_named = ops, [], [], set()
     for _ in range(60):
         by_kind = {}
         for i, op in enumerate(new):
@@ -125,6 +144,7 @@ def planted(case, ops, own, scale, hand, rng, count, only, tally):
                 continue
             wrong = changed[at]
             after = ways.values(ways.Drawing(case.mechanism, scale, ways.EXACT, random.Random(0)).all(changed), own)
+            names = alike(case, scale, ops, changed, wrong) if not wrongs else set()
             alone = right_alone(case, scale, ops, changed, wrong, hand.snap != "all")
         except (Refused, Impossible, ZeroDivisionError, OverflowError, ValueError, KeyError):
             tally["cannot be drawn on"] += 1
@@ -138,9 +158,10 @@ def planted(case, ops, own, scale, hand, rng, count, only, tally):
         if alone and alone[0] < (1.3 * alone[1] if free else 0):
             tally["within what the hand may be off"] += 1
             continue
+        also_named |= names
         new, wrongs, alones = changed, wrongs + [(wrong, kind)], alones + [alone]
         if len(wrongs) == count:
-            return new, wrongs, moved, alones
+            return new, wrongs, moved, alones, also_named
     return None
 
 
@@ -155,14 +176,14 @@ def sheet(case, seed, mistakes=0, only=(), tally=None, hand=None, symbolic=False
         hand = replace(hand, inserts=0.0)
         for op in ops:
             op.typed = False
-    new, wrongs, moved, alones = ops, [], 0.0, []
+    new, wrongs, moved, alones, named = ops, [], 0.0, [], set()
     if mistakes:
         # A crossing that is marked alone would hide what is wrong with its lines.
         hand = replace(hand, marks=0.0)
         made = planted(case, ops, d.names, scale, hand, rng, mistakes, only, tally)
         if made is None:
             return None
-        new, wrongs, moved, alones = made
+        new, wrongs, moved, alones, named = made
 
     def wrong_of(i):
         kind = KINDS[rng.choice(sorted(KINDS))]
@@ -188,7 +209,7 @@ def sheet(case, seed, mistakes=0, only=(), tally=None, hand=None, symbolic=False
     if rng.random() < 0.3:
         drawing["did"] = [{**e, "t": 1500 * i} for i, e in enumerate(drawing["did"])]
     places = sorted(((drawn.index[id(op)], kind) for op, kind in wrongs), key=lambda pair: pair[0])
-    return Sheet(case, str(seed), hand, drawing, places, also_first(new, drawn.index, places, d.names | d.loose), moved, alones)
+    return Sheet(case, str(seed), hand, drawing, places, also_first(new, drawn.index, places, d.names | d.loose), moved, alones, named)
 
 
 def also_first(ops, index, places, own):
