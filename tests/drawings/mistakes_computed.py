@@ -136,7 +136,9 @@ def wrong_segment_in_formula(p):
 @kind("component", "component", "measure")
 def component(p):
     part = p.rng.choice([lambda z: z.real, lambda z: z.imag])
-    return [p.op.but(dict(p.entry), reading=part)]
+    segment = p.sheets.point(p.sheet, p.entry["to"]) - p.sheets.point(p.sheet, p.entry["from"])
+    # Nobody reads a part that is nearly nothing.
+    return [p.op.but(dict(p.entry), reading=part)] if abs(part(segment)) > 0.15 * abs(segment) else None
 
 
 @kind("decimal-slipped", "decimal-slipped", "rate", "slide", "measure", "crank-velocity", "normal", "coriolis")
