@@ -54,7 +54,14 @@ def half(p):
 @kind("wrong-length", "wrong-length", "normal", "crank-velocity", "crank-normal", "relative", "tangential", "crank-tangential")
 def wrong_length(p):
     other = p.pick(p.lengths(p.amount.length))
-    return other and p.amounts(length=other)
+    return other and not p.amount.segment and p.amounts(length=other) or None
+
+
+@kind("wrong-length-below-a-velocity", "wrong-length omega-from-wrong-length", "normal", "crank-normal")
+def wrong_length_below(p):
+    """v² / L with another length; as well ω v with ω from it."""
+    other = p.pick(p.lengths(p.amount.length))
+    return other and p.amount.segment and p.amounts(length=other) or None
 
 
 @kind("length-forgotten", "", "normal", "relative", "tangential")
