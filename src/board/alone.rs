@@ -5,7 +5,7 @@ use super::bench::{Bench, Found};
 use super::file::{Compute, Cross, Entry, LayOff, Line, Measure, Solve};
 use super::formula::Formula;
 use super::says;
-use super::table::{Made, Table};
+use super::table::{DrawnLine, Made, Table};
 use crate::geometry::Vector;
 use crate::sheet::Sheet;
 
@@ -288,7 +288,8 @@ impl Bench<'_> {
     /// Whether a point that was put down is a right crossing of two lines of the hand's.
     fn is_at_crossing(&self, sheet: Sheet, name: &str, at: Vector) -> bool {
         let near = 3.0 * std::f64::consts::SQRT_2 * self.judge.tolerance().mm * self.own.scale(sheet);
-        let lines: Vec<&str> = self.own.lines().filter(|(_, line)| line.sheet == sheet).map(|(name, _)| name).collect();
+        let is_here = |line: &DrawnLine| line.sheet == sheet && line.distance(at).abs() <= near;
+        let lines: Vec<&str> = self.own.lines().filter(|(_, line)| is_here(line)).map(|(name, _)| name).collect();
         let mut pairs =
             lines.iter().enumerate().flat_map(|(index, one)| lines[index + 1..].iter().map(move |two| [one, two]));
         pairs.any(|of| {

@@ -4,6 +4,7 @@ use super::alone::Held;
 use super::bench::{Bench, has_numbers, written_together};
 use super::direction::Direction;
 use super::file::{Compute, Entry, LayOff, Line, Measure};
+use super::formula::Formula;
 use super::judge::{Verdict, Wrong};
 use super::reads::reads;
 use super::says;
@@ -13,6 +14,12 @@ use crate::check::{Mistake, Told, tell};
 use crate::geometry::{Vector, unit};
 use crate::message::Message;
 use std::collections::BTreeSet;
+
+/// Most names of a formula that is written out.
+const MOST_NAMES: usize = 40;
+
+/// The longest chain of the hand's own things that is gone through.
+const MOST_CHAINED: usize = 25;
 
 impl Bench<'_> {
     /// The verdict on a wrong entry: it is wrong itself, or follows from something of the hand's own that nothing else has judged.
@@ -86,7 +93,31 @@ impl Bench<'_> {
         let table = &self.right[0];
         let alone = self.as_if_right(entry, is_typed)?;
         let tolerance = if is_typed || has_numbers(entry) { 0.012 } else { 1e-6 };
-        Slip { table, entry, alone: &alone, right, tolerance }.told()
+        let whole = self.written_out(entry);
+        Slip { table, entry: &whole, alone: &alone, right, tolerance }.told()
+    }
+
+    /// The entry with the formulas of the hand's own numbers in place of their names.
+    fn written_out(&self, entry: &Entry) -> Entry {
+        let own = |name: &str| {
+            let index = self.made.get(&(None, name.to_owned()))?;
+            match self.done.iter().find(|(other, _)| other == index)? {
+                (_, Entry::Compute(Compute { by: Some(by), sense: None, .. })) => Some(by.clone()),
+                _ => None,
+            }
+        };
+        // A number of one's own may be made of others, which a long drawing does without end.
+        let out = |formula: &Formula| {
+            (0..3).fold(formula.clone(), |formula, _| match formula.names().len() {
+                0..MOST_NAMES => formula.with(&own),
+                _ => formula,
+            })
+        };
+        match entry {
+            Entry::LayOff(laid) => Entry::LayOff(LayOff { size: out(&laid.size), ..laid.clone() }),
+            Entry::Compute(compute) => Entry::Compute(Compute { by: compute.by.as_ref().map(out), ..compute.clone() }),
+            other => other.clone(),
+        }
     }
 
     /// What an entry makes in the scene with right inputs. A typed number was worked out from the hand's own things: it is taken in the
@@ -102,13 +133,18 @@ impl Bench<'_> {
             (Made::Place(sheet, name, at), Entry::LayOff(LayOff { from, .. })) => {
                 let own = self.own.place(sheet, from).zip(table.place(sheet, from));
                 let expected = self.causes.expected_place(&self.own, sheet, &name).zip(given.place(sheet, &name));
-                let at = own.zip(expected).map_or(at, |((own_start, start), (expected, right))| {
-                    let found = match self.own.carried_out_again(entry) {
-                        Ok(Made::Place(_, _, found)) => found - own_start,
-                        _ => at - start,
-                    };
-                    start + over(times(found, right - start), expected - own_start).unwrap_or(at - start)
-                });
+                // The vector may have been laid off from a wrong point.
+                let arrow = given.construction().arrows(sheet).find(|arrow| arrow.to == name);
+                let begins = arrow.map_or(from.as_str(), |arrow| arrow.from.as_str());
+                let begins = self.own.place(sheet, begins).zip(given.place(sheet, begins)).or(own);
+                let at =
+                    own.zip(expected).zip(begins).map_or(at, |(((own_start, start), (expected, right)), begins)| {
+                        let found = match self.own.carried_out_again(entry) {
+                            Ok(Made::Place(_, _, found)) => found - own_start,
+                            _ => at - start,
+                        };
+                        start + over(times(found, right - begins.1), expected - begins.0).unwrap_or(at - start)
+                    });
                 Made::Place(sheet, name, at)
             }
             (Made::Numbers(all), Entry::Compute(Compute { by: None, .. })) => {
@@ -163,7 +199,8 @@ impl Bench<'_> {
         };
         // What has a name of its own may still be the wrong one here.
         let all = suspects.iter().chain(hangs_on.iter().filter(|index| !suspects.contains(index)));
-        let found = all.copied().find_map(|suspect| mended(suspect).map(|right| (suspect, Some(right))));
+        let mut all = all.copied().filter(|_| hangs_on.len() <= MOST_CHAINED);
+        let found = all.find_map(|suspect| mended(suspect).map(|right| (suspect, Some(right))));
         found.or_else(|| {
             let is_number = !matches!(entry, Entry::Line(_) | Entry::Join(_)) && self.has_right_direction(entry, made);
             suspects.first().filter(|_| is_number).map(|first| (*first, None))

@@ -90,6 +90,11 @@ impl Formula {
         self.value.value(number)
     }
 
+    /// The formula with others in place of some names.
+    pub(super) fn with(&self, other: &dyn Fn(&str) -> Option<Formula>) -> Formula {
+        Formula { text: self.text.clone(), value: self.value.with(other) }
+    }
+
     /// Whether it has numbers that somebody has looked up or worked out: more than factors of 2, halves and exponents.
     pub(super) fn has_constants(&self) -> bool {
         self.value.has(&|x| ![0.0, 0.5, 1.0, 2.0].contains(&x))
@@ -143,6 +148,16 @@ impl Node {
                 }
             }
         })
+    }
+
+    fn with(&self, other: &dyn Fn(&str) -> Option<Formula>) -> Node {
+        match self {
+            Node::Number(_) => self.clone(),
+            Node::Name(name) => other(name).map_or_else(|| self.clone(), |other| other.value),
+            Node::Minus(node) => Node::Minus(Box::new(node.with(other))),
+            Node::Of(function, node) => Node::Of(*function, Box::new(node.with(other))),
+            Node::Two(sign, two) => Node::Two(*sign, Box::new([two[0].with(other), two[1].with(other)])),
+        }
     }
 
     fn has_power(&self) -> bool {

@@ -145,6 +145,14 @@ impl Given {
         is_given.then(|| self.number(name)).flatten()
     }
 
+    /// The names of the rates that are always equal to this one, as those of a block to its lever's.
+    pub(super) fn same_rates<'n>(&'n self, name: &'n str) -> impl Iterator<Item = &'n str> {
+        let same = &self.construction().same_rates;
+        let usual = same.get(name).map_or(name, String::as_str);
+        let others = same.iter().filter(move |(_, other)| *other == usual).map(|(name, _)| name.as_str());
+        std::iter::once(usual).chain(others).filter(move |other| *other != name)
+    }
+
     /// The direction that a link with two points, or a guide, gives; `None` for a name that is neither.
     pub(super) fn direction(&self, name: &str) -> Option<Result<Vector, Message>> {
         let Solution { mechanism, pose, scene, .. } = &self.solution;

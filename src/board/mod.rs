@@ -31,6 +31,7 @@ mod reads;
 #[doc(hidden)] // for tests
 pub mod says;
 mod screen;
+mod slip_vectors;
 mod slips;
 mod snap;
 mod table;

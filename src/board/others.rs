@@ -7,7 +7,9 @@ use super::given::Given;
 use crate::construction::Solution;
 use crate::exercise::{Number, each_number};
 use crate::geometry::Random;
-use crate::scene::{Scene, SizeLimit};
+use crate::mechanism::mechanism;
+use crate::position::{pose, with_nearest_sides};
+use crate::scene::Scene;
 use crate::sheet::{Order, Sheet};
 use indexmap::IndexMap;
 use serde_json::{Map, Value as Json, json};
@@ -58,7 +60,8 @@ pub(super) fn others(given: &Given) -> Vec<Given> {
 
 fn solved(text: &str) -> Option<Solution> {
     let scene = Scene::read(text).ok()?;
-    let (mechanism, pose) = crate::posed(&scene, SizeLimit::NUMBERS, None).ok()?;
+    let mechanism = with_nearest_sides(&scene, mechanism(&scene).ok()?);
+    let pose = pose(&mechanism, &scene.near).ok()?;
     Solution::new(scene, mechanism, pose, Order::Acceleration).ok()
 }
 

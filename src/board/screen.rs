@@ -341,6 +341,10 @@ impl Screen {
             let is_pair = points.len() == 2;
             let special = given.construction().special.iter().filter(|special| special.link == id);
             points.extend(special.map(|special| special.name.as_str()));
+            // What slides on a link is at a point of it just now.
+            let sliding = mechanism.slider_ids().map(|slider| mechanism.slider(slider));
+            let sliding = sliding.filter(|slider| slider.on == id && !body.points.contains(&slider.at));
+            points.extend(sliding.map(|slider| mechanism.point_name(slider.at)));
             for (at, from) in points.iter().enumerate() {
                 for to in &points[at + 1..] {
                     let is_whole = is_pair && points[..2].contains(from) && points[..2].contains(to);

@@ -1,14 +1,13 @@
 //! Slips within one operation: another number in its formula, a factor, a sign, another point, a misread ruler. Each is undone, and where
 //! the operation is right then, it was that.
 
-use super::direction::Direction;
-use super::file::{Compute, Entry, LayOff, Like, Measure, Solve};
+use super::file::{Compute, Entry, LayOff, Measure, Solve};
 use super::formula::Formula;
 use super::table::{Made, Table};
 use crate::check::Told;
 use crate::check::tell;
 use crate::check::{Blank, Mistake};
-use crate::geometry::{Vector, cross};
+use crate::geometry::Vector;
 use crate::quantity::QuantityRequest;
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
@@ -46,15 +45,21 @@ impl Slip<'_, '_> {
         }
     }
 
-    fn is_same(&self, a: f64, b: f64) -> bool {
+    pub(super) fn is_same(&self, a: f64, b: f64) -> bool {
         a.is_finite() && (a - b).abs() <= self.tolerance * a.abs().max(b.abs())
     }
 
     /// A segment that was measured between other points, or read otherwise than it is.
     fn measured(&self, measure: &Measure, (name, found): &(String, f64), right: f64) -> Option<Told> {
         let (sheet, ends) = super::reads::segment_of(name).or_else(|| {
+            // Two points written together mean what lies between them.
             let sheet = measure.on?;
-            Some((sheet, [measure.from.clone(), measure.to.clone()]))
+            let points: Vec<&str> = self.table.given.places(sheet).map(|(point, _)| point).collect();
+            let split = points.iter().find_map(|first| {
+                let second = name.strip_prefix(first).filter(|second| points.contains(second))?;
+                Some([(*first).to_owned(), second.to_owned()])
+            });
+            Some((sheet, split.unwrap_or_else(|| [measure.from.clone(), measure.to.clone()])))
         })?;
         let quantity = || Blank::Quantity(name.clone());
         if !self.is_same(*found, right) {
@@ -128,106 +133,8 @@ impl Slip<'_, '_> {
         })
     }
 
-    /// A vector of a wrong size, sense or start.
-    fn laid_off(&self, laid: &LayOff, sheet: Sheet, name: &str, [at, right]: [Vector; 2]) -> Option<Told> {
-        let start = self.table.place(sheet, &laid.from)?;
-        let (found, meant) = (at - start, right - start);
-        if let Some((from, vector)) = self.vector_to(sheet, name)
-            && self.table.place(sheet, &from) != Some(start)
-            && (found - vector).norm() <= self.tolerance * vector.norm()
-        {
-            return Some(tell::vector_from_wrong_point(name.into(), laid.from.as_str().into(), from.as_str().into()));
-        }
-        if let Some(start) = self.other_start(sheet, right - found).filter(|other| *other != laid.from) {
-            let is_known =
-                self.table.given.vectors(sheet).iter().any(|v| (found - v).norm() <= self.tolerance * v.norm());
-            if is_known {
-                return Some(tell::vector_from_wrong_point(name.into(), laid.from.as_str().into(), start.into()));
-            }
-        }
-        let is_along = cross(found, meant).abs() <= 10.0 * self.tolerance * found.norm() * meant.norm();
-        if !is_along || meant.norm() == 0.0 {
-            return None;
-        }
-        let ratio = found.dot(&meant) / meant.norm_squared();
-        let sign = self.table.formula(&laid.size).ok()?.signum() * ratio.signum();
-        if self.is_same(ratio, -1.0) {
-            let [from, to] = [Blank::from(laid.from.as_str()), Blank::from(name)];
-            let is_normal = sheet == Sheet::Acceleration && matches!(laid.along, Direction::Parallel { .. });
-            let length = laid.size.names().into_iter().find(|name| name.starts_with("L("));
-            return Some(match length {
-                Some(length) if is_normal => {
-                    tell::normal_outward(from, to, self.rate_of(&laid.size), Blank::Symbol(length.to_owned()))
-                }
-                _ => tell::reversed_vector(from, to),
-            });
-        }
-        let formula = || self.formula(&laid.size, name, meant.norm() * sign);
-        let factor = || self.factor(name, Some(&laid.size), ratio * meant.norm(), meant.norm());
-        let told = if laid.size.has_numbers() { factor().or_else(formula) } else { formula().or_else(factor) };
-        told.or_else(|| self.normal(laid, sheet, name, found.norm(), meant.norm()))
-    }
-
-    /// A normal part whose size was worked out otherwise: with ω, the ω of another link, an absolute velocity, the diameter.
-    fn normal(&self, laid: &LayOff, sheet: Sheet, name: &str, found: f64, right: f64) -> Option<Told> {
-        let given = self.table.given;
-        let mechanism = given.mechanism();
-        let [from, to] = [Blank::from(laid.from.as_str()), Blank::from(name)];
-        let pairs = mechanism.links().flat_map(|(id, body)| {
-            let names: Vec<String> = body.points.iter().map(|p| mechanism.point_name(*p).to_owned()).collect();
-            let ends = names.clone();
-            names.into_iter().flat_map(move |a| ends.clone().into_iter().map(move |b| (id, a.clone(), b)))
-        });
-        for (id, a, b) in pairs.filter(|(_, a, b)| sheet == Sheet::Acceleration && a != b) {
-            let part = given.number(&format!("a_n({a}/{b})")).unwrap_or(0.0);
-            if !self.is_same(part, right) || part == 0.0 {
-                continue;
-            }
-            let length = given.number(&format!("L({a},{b})"))?;
-            let link = &mechanism.body(id).name;
-            let [rate, arm] = [format!("omega({link})"), format!("L({a},{b})")].map(Blank::Symbol);
-            let omega = given.number(&format!("omega({link})"))?.abs();
-            if self.is_same(found, omega * length) {
-                return Some(tell::omega_not_squared(from, to, rate, arm));
-            }
-            let absolute = [&a, &b].into_iter().find(|point| {
-                let velocity = given.number(&format!("v({point})")).unwrap_or(0.0);
-                self.is_same(found, velocity * velocity / length)
-            });
-            if let Some(point) = absolute {
-                let image = super::given::image(point);
-                return Some(tell::normal_from_absolute(from, to, rate, arm, image.as_str().into()));
-            }
-            let other = mechanism.links().map(|(_, body)| format!("omega({})", body.name)).find(|other| {
-                let omega = given.number(other).unwrap_or(0.0);
-                self.is_same(found, omega * omega * length)
-            });
-            if let Some(other) = other {
-                return Some(tell::omega_of_another_link(from, to, rate, arm, Blank::Symbol(other)));
-            }
-            if self.is_same(found, 2.0 * right) {
-                return Some(tell::diameter(from, to, rate, arm));
-            }
-        }
-        None
-    }
-
-    /// The point at a place, from which a vector should have been laid off.
-    fn other_start(&self, sheet: Sheet, at: Vector) -> Option<&str> {
-        let near = self.tolerance.max(1e-6) * self.table.given.size(sheet);
-        self.table.given.places(sheet).find(|(_, place)| (place - at).norm() <= near).map(|(name, _)| name)
-    }
-
-    /// The vector of the construction that leads to a point, and where it begins.
-    fn vector_to(&self, sheet: Sheet, name: &str) -> Option<(String, Vector)> {
-        let construction = self.table.given.construction();
-        let arrow = construction.arrows(sheet).find(|arrow| arrow.to == name)?;
-        let vector = self.table.given.place(sheet, &arrow.to)? - self.table.given.place(sheet, &arrow.from)?;
-        Some((arrow.from.clone(), vector))
-    }
-
     /// A formula in which one number stands for another: it is exchanged until the formula is right.
-    fn formula(&self, formula: &Formula, name: &str, right: f64) -> Option<Told> {
+    pub(super) fn formula(&self, formula: &Formula, name: &str, right: f64) -> Option<Told> {
         let value = |exchanged: &str, by: f64| {
             formula.value(&mut |own| if own == exchanged { Ok(by) } else { self.table.number(own) }).ok()
         };
@@ -291,7 +198,7 @@ impl Slip<'_, '_> {
     }
 
     /// The angular velocity of the link whose length stands in a formula.
-    fn rate_of(&self, formula: &Formula) -> Blank {
+    pub(super) fn rate_of(&self, formula: &Formula) -> Blank {
         let mechanism = self.table.given.mechanism();
         let ends = formula.names().into_iter().find_map(super::reads::segment_of).map(|(_, ends)| ends);
         let link = ends.and_then(|ends| {
@@ -319,7 +226,7 @@ impl Slip<'_, '_> {
     }
 
     /// A factor that should not be there.
-    fn factor(&self, name: &str, formula: Option<&Formula>, found: f64, right: f64) -> Option<Told> {
+    pub(super) fn factor(&self, name: &str, formula: Option<&Formula>, found: f64, right: f64) -> Option<Told> {
         let ratio = (found / right).abs();
         let names: Vec<&str> = formula.map_or_else(Vec::new, Formula::names);
         let rate = names.iter().find(|name| super::bench::turns(name));
@@ -379,31 +286,6 @@ impl Slip<'_, '_> {
             Entry::LayOff(LayOff { from, .. }) => from.as_str().into(),
             _ => name.into(),
         }
-    }
-
-    /// An image on the wrong side, or with its distances exchanged.
-    fn image(&self, like: &Like, sheet: Sheet, right: Vector) -> Option<Told> {
-        let would_be = |changed: Like| {
-            let made = self.table.carried_out_again(&Entry::Like(changed));
-            let small = 1e-6 * self.table.given.size(sheet);
-            matches!(made, Ok(Made::Place(_, _, at)) if (at - right).norm() <= small)
-        };
-        let [from, to] = like.ends.each_ref().map(|end| Blank::from(end.as_str()));
-        let point = Blank::from(like.like.as_str());
-        if would_be(Like { mirrored: !like.mirrored, ..like.clone() }) {
-            return Some(tell::mirrored_image(from, point, to));
-        }
-        let [a, b, c] = &like.points;
-        for mirrored in [false, true] {
-            let orders = [[b, a, c], [a, c, b], [c, b, a], [b, c, a], [c, a, b]];
-            let exchanged = orders
-                .into_iter()
-                .find(|points| would_be(Like { points: points.map(Clone::clone), mirrored, ..like.clone() }));
-            if exchanged.is_some() {
-                return Some(tell::wrong_ratio(from, to, point));
-            }
-        }
-        None
     }
 }
 

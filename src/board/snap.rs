@@ -239,8 +239,10 @@ impl Press<'_> {
         let mut add = |name: String, words: String, ends: [[f64; 2]; 2]| {
             let (distance, at) = self.from_segment(&ends);
             if distance <= self.pressed.reach {
-                let mut snapped = self.snapped(self.entry("along", json!({ how: name })), words, at);
-                snapped.ghost.push(square(&ends, at, how == "normal"));
+                let mut snapped = self.snapped(self.entry("along", self.along(&name)), words, at);
+                if how != "turned" {
+                    snapped.ghost.push(square(&ends, at, how == "normal"));
+                }
                 // Of two at the same place the shorter is meant: a part of a link.
                 let length = libm::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
                 caught.push((distance + 1e-3 * length, snapped));
@@ -256,6 +258,23 @@ impl Press<'_> {
             add(name.to_owned(), language.says(&super::says::drawn_line(name)), across(line, &self.paper));
         }
         caught
+    }
+
+    /// The direction that is being said, with a reference where the next is missing.
+    fn along(&self, name: &str) -> Json {
+        let mut along = self.pressed.has.get("along").cloned().unwrap_or_else(|| json!({ "normal": "" }));
+        let Some(parts) = along.as_object_mut() else { return json!({ "normal": name }) };
+        let is_turned = parts.contains_key("turned");
+        let turned = parts.get_mut("turned").and_then(Json::as_array_mut);
+        let missing = turned.and_then(|all| all.iter_mut().find(|part| part.as_str() == Some("")));
+        match missing {
+            Some(part) => *part = json!(name),
+            None if is_turned => {
+                parts.insert("base".to_owned(), json!(name));
+            }
+            None => parts.values_mut().take(1).for_each(|part| *part = json!(name)),
+        }
+        along
     }
 
     /// How far a segment is from the press, and its nearest place.

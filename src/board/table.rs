@@ -389,6 +389,10 @@ impl<'g> Table<'g> {
         if let Some(number) = self.numbers.get(name) {
             return Some(*number);
         }
+        // A block turns as its lever does.
+        if let Some(number) = self.given.same_rates(name).find_map(|same| self.numbers.get(same)) {
+            return Some(*number);
+        }
         if let Some(sheet) = Sheet::ALL.into_iter().find(|sheet| sheet.facts().scale_key == name) {
             return Some(self.scales[sheet]);
         }

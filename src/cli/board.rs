@@ -2,7 +2,6 @@
 
 use super::class::Subject;
 use super::files;
-use super::forms::measured;
 use super::message::{Failure, Source, passed};
 use crate::board::{BoardError, HandDrawing, Judge, JudgedDrawing, Verdict};
 use crate::check::{AnswerKey, ClassMistake, Measured, Mistake};
@@ -59,14 +58,9 @@ pub(super) struct Drawn {
 
 /// The drawing in a file, judged; `None` for a file that is none.
 pub(super) fn drawn(path: &Path, key: &AnswerKey<'_>) -> Result<Option<Drawn>, String> {
-    // What is no file is refused where forms are read.
-    if !path.is_file() {
-        return measured(path).map(|_| None);
-    }
-    let text = files::read_form(path).map_err(|failure| failure.line(""))?;
-    if !HandDrawing::is_one(&text.text) {
-        return Ok(None);
-    }
+    // What is no file, or no text, is refused where forms are read.
+    let read = || path.is_file().then(|| files::read_form(path).ok()).flatten();
+    let Some(text) = read().filter(|text| HandDrawing::is_one(&text.text)) else { return Ok(None) };
     let drawing = HandDrawing::read(&text.text).map_err(|error| text.fail(error).line(""))?;
     let judge = Judge::new(key);
     let words = key.solution.wording();

@@ -2025,7 +2025,10 @@ page-board-is_unused = nicht benutzt
 page-board-is_undone = zurückgenommen
 page-board-normal = senkrecht zu
 page-board-parallel = parallel zu
+page-board-turned = gedreht um den Winkel
+page-board-at_base = von
 page-board-angle = unter dem Winkel
+page-board-other_way = Andersherum
 page-board-sense_none = wie es herauskommt
 page-board-ccw = gegen den Uhrzeiger
 page-board-cw = im Uhrzeigersinn
@@ -2084,6 +2087,7 @@ page-board-slot_line_name = Name der Geraden
 page-board-slot_number_name = Name der Zahl
 page-board-slot_names = Unbekannte
 page-board-slot_sense = Drehsinn
+page-board-slot_base = Linie des Plans, an der der Winkel beginnt, etwa b,c
 page-board-slot_made = Was gezeichnet wurde
 page-board-wants_sheet = Auf welchem Blatt?
 page-board-wants_point = Ein Punkt fehlt: drücken oder wählen.
@@ -2099,6 +2103,7 @@ page-board-wants_line_name = Die Gerade braucht einen Namen.
 page-board-wants_number_name = Welche Zahl ist es? Name wählen.
 page-board-wants_names = Welches sind die Unbekannten?
 page-board-wants_sense = Welcher Drehsinn?
+page-board-wants_base = An welcher Linie des Plans beginnt der Winkel?
 page-board-wants_made = Drücken, was weg soll.
 
 

@@ -2058,7 +2058,10 @@ page-board-is_unused = not used
 page-board-is_undone = taken back
 page-board-normal = at right angles to
 page-board-parallel = parallel to
+page-board-turned = turned by the angle
+page-board-at_base = from
 page-board-angle = at the angle
+page-board-other_way = The other way round
 page-board-sense_none = as it comes
 page-board-ccw = counter-clockwise
 page-board-cw = clockwise
@@ -2117,6 +2120,7 @@ page-board-slot_line_name = Name of the line
 page-board-slot_number_name = Name of the number
 page-board-slot_names = Unknowns
 page-board-slot_sense = Sense
+page-board-slot_base = Line of the plan where the angle begins, such as b,c
 page-board-slot_made = What was drawn
 page-board-wants_sheet = Which sheet?
 page-board-wants_point = A point is missing: press one, or choose it.
@@ -2132,6 +2136,7 @@ page-board-wants_line_name = The line needs a name.
 page-board-wants_number_name = Which number is it? Choose its name.
 page-board-wants_names = Which are the unknowns?
 page-board-wants_sense = Which sense?
+page-board-wants_base = At which line of the plan does the angle begin?
 page-board-wants_made = Press what is to go.
 
 

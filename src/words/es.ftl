@@ -2023,7 +2023,10 @@ page-board-is_unused = no se usa
 page-board-is_undone = deshecha
 page-board-normal = perpendicular a
 page-board-parallel = paralela a
+page-board-turned = girada el ángulo
+page-board-at_base = desde
 page-board-angle = con el ángulo
+page-board-other_way = En sentido contrario
 page-board-sense_none = como sale
 page-board-ccw = antihorario
 page-board-cw = horario
@@ -2082,6 +2085,7 @@ page-board-slot_line_name = Nombre de la recta
 page-board-slot_number_name = Nombre del número
 page-board-slot_names = Incógnitas
 page-board-slot_sense = Sentido
+page-board-slot_base = Recta del plano donde empieza el ángulo, como b,c
 page-board-slot_made = Lo dibujado
 page-board-wants_sheet = ¿En qué lámina?
 page-board-wants_point = Falta un punto: púlselo o elíjalo.
@@ -2097,6 +2101,7 @@ page-board-wants_line_name = La recta necesita un nombre.
 page-board-wants_number_name = ¿Qué número es? Elija su nombre.
 page-board-wants_names = ¿Cuáles son las incógnitas?
 page-board-wants_sense = ¿Qué sentido?
+page-board-wants_base = ¿En qué recta del plano empieza el ángulo?
 page-board-wants_made = Pulse lo que debe irse.
 
 

@@ -2025,7 +2025,10 @@ page-board-is_unused = não usada
 page-board-is_undone = desfeita
 page-board-normal = perpendicular a
 page-board-parallel = paralela a
+page-board-turned = girada do ângulo
+page-board-at_base = desde
 page-board-angle = com o ângulo
+page-board-other_way = No sentido contrário
 page-board-sense_none = como sai
 page-board-ccw = anti-horário
 page-board-cw = horário
@@ -2084,6 +2087,7 @@ page-board-slot_line_name = Nome da reta
 page-board-slot_number_name = Nome do número
 page-board-slot_names = Incógnitas
 page-board-slot_sense = Sentido
+page-board-slot_base = Reta do polígono onde o ângulo começa, como b,c
 page-board-slot_made = O que foi desenhado
 page-board-wants_sheet = Em que folha?
 page-board-wants_point = Falta um ponto: toque ou escolha.
@@ -2099,6 +2103,7 @@ page-board-wants_line_name = A reta precisa de um nome.
 page-board-wants_number_name = Que número é? Escolha o nome.
 page-board-wants_names = Quais são as incógnitas?
 page-board-wants_sense = Que sentido?
+page-board-wants_base = Em que reta do polígono começa o ângulo?
 page-board-wants_made = Toque o que deve sair.
 
 

@@ -1,12 +1,13 @@
 //! Files in the repository that the program makes are what it makes now: the schemas, the two figures of the paper, curves over the second
 //! one's cycle and the paper's numbers checked, the gallery, the workbench.
 //!
-//! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `style` and `marks`, `kinegon draw`,
+//! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `style`, `marks` and `drawing`, `kinegon draw`,
 //! `kinegon curves examples/figure-2.json --want "omega(4), alpha(4), v_r(3/2)"`,
 //! `kinegon check examples/figure-2.json examples/paper-as-student.json --draw out/ --mu-l 5 --mu-v 2.5 --mu-a 2.5` and
 //! `cargo run --release --example gallery` make them anew; `web/build` makes the workbench.
 
 use crate::examples::gallery;
+use kinegon::board::drawing_schema;
 use kinegon::check::{Marks, Measured, check, redrawn};
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Style};
@@ -79,6 +80,7 @@ fn schemas_are_current() {
     same("templates/result.schema.json", &format::json(&format::result_schema()));
     same("templates/style.schema.json", &format::json(&Style::schema()));
     same("templates/marks.schema.json", &format::json(&Marks::schema()));
+    same("templates/drawing.schema.json", &format::json(&drawing_schema()));
 }
 
 #[test]

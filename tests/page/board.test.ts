@@ -28,6 +28,7 @@ test("boxes filled one by one are the entry of the format", () => {
   assert.deepEqual(filled("cross", { second: "r2", first: "r1", name: "c" }), { cross: "c", of: ["r1", "r2"] });
   assert.deepEqual(filled("solve", { solve: "a, b", equations: "a + b = 1\n\n a - b = 2 " }), { solve: ["a", "b"], equations: ["a + b = 1", "a - b = 2"] });
   assert.deepEqual(filled("compute", { name: "x", as: "2", sense: "" }), { compute: "x", as: "2" });
+  assert.deepEqual(filled("line", { on: "velocity", how: "turned", turned_to: "B,E", turned_from: "B,C", base: "b,c", through: "b" }), { line: "", along: { turned: ["B,C", "B,E"], base: "b,c" }, on: "velocity", through: "b" });
   // How it lies is kept from one line to the next.
   assert.deepEqual(begun("line", filled("line", { how: "parallel", reference: "2" })), { line: "", along: { parallel: "" } });
 });

@@ -13,6 +13,7 @@
 //! back; `notices` asks whether everybody whose work is shipped is named; `films` films and what they refuse; `overlays` the same of students' drawings over the right figure; `wording` looks for words of another
 //! language; `students` runs the judge in Python of `tests/students`, where Python is installed.
 
+mod boards;
 mod catalogue;
 mod certain_digits;
 mod command_line;

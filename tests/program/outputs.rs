@@ -74,7 +74,7 @@ const WRITING: [(usize, &str); 17] = [
     (2, "curves scene.json -o out/"),
     (1, "sweep scene.json -o out/table.csv"),
     (1, "sweep scene.json -o out/deep/table.jsonl"),
-    (21, "exercise four-bar --seed 3 --count 2 -o out/ex"),
+    (23, "exercise four-bar --seed 3 --count 2 -o out/ex"),
     (2, "check scene.json form.json --draw out/ --format svg --feedback out/pages"),
     (3, "check scene.json forms -o out/report.csv --feedback out/pages"),
     (5, "check scene.json forms -o out/report.json --feedback out/pages --feedback-format pdf,html"),

@@ -2920,7 +2920,10 @@ export const board = {
     "is_undone": "taken back",
     "normal": "at right angles to",
     "parallel": "parallel to",
+    "turned": "turned by the angle",
+    "at_base": "from",
     "angle": "at the angle",
+    "other_way": "The other way round",
     "sense_none": "as it comes",
     "ccw": "counter-clockwise",
     "cw": "clockwise",
@@ -2979,6 +2982,7 @@ export const board = {
     "slot_number_name": "Name of the number",
     "slot_names": "Unknowns",
     "slot_sense": "Sense",
+    "slot_base": "Line of the plan where the angle begins, such as b,c",
     "slot_made": "What was drawn",
     "wants_sheet": "Which sheet?",
     "wants_point": "A point is missing: press one, or choose it.",
@@ -2994,6 +2998,7 @@ export const board = {
     "wants_number_name": "Which number is it? Choose its name.",
     "wants_names": "Which are the unknowns?",
     "wants_sense": "Which sense?",
+    "wants_base": "At which line of the plan does the angle begin?",
     "wants_made": "Press what is to go."
   },
   "es": {
@@ -3046,7 +3051,10 @@ export const board = {
     "is_undone": "deshecha",
     "normal": "perpendicular a",
     "parallel": "paralela a",
+    "turned": "girada el ángulo",
+    "at_base": "desde",
     "angle": "con el ángulo",
+    "other_way": "En sentido contrario",
     "sense_none": "como sale",
     "ccw": "antihorario",
     "cw": "horario",
@@ -3105,6 +3113,7 @@ export const board = {
     "slot_number_name": "Nombre del número",
     "slot_names": "Incógnitas",
     "slot_sense": "Sentido",
+    "slot_base": "Recta del plano donde empieza el ángulo, como b,c",
     "slot_made": "Lo dibujado",
     "wants_sheet": "¿En qué lámina?",
     "wants_point": "Falta un punto: púlselo o elíjalo.",
@@ -3120,6 +3129,7 @@ export const board = {
     "wants_number_name": "¿Qué número es? Elija su nombre.",
     "wants_names": "¿Cuáles son las incógnitas?",
     "wants_sense": "¿Qué sentido?",
+    "wants_base": "¿En qué recta del plano empieza el ángulo?",
     "wants_made": "Pulse lo que debe irse."
   },
   "de": {
@@ -3172,7 +3182,10 @@ export const board = {
     "is_undone": "zurückgenommen",
     "normal": "senkrecht zu",
     "parallel": "parallel zu",
+    "turned": "gedreht um den Winkel",
+    "at_base": "von",
     "angle": "unter dem Winkel",
+    "other_way": "Andersherum",
     "sense_none": "wie es herauskommt",
     "ccw": "gegen den Uhrzeiger",
     "cw": "im Uhrzeigersinn",
@@ -3231,6 +3244,7 @@ export const board = {
     "slot_number_name": "Name der Zahl",
     "slot_names": "Unbekannte",
     "slot_sense": "Drehsinn",
+    "slot_base": "Linie des Plans, an der der Winkel beginnt, etwa b,c",
     "slot_made": "Was gezeichnet wurde",
     "wants_sheet": "Auf welchem Blatt?",
     "wants_point": "Ein Punkt fehlt: drücken oder wählen.",
@@ -3246,6 +3260,7 @@ export const board = {
     "wants_number_name": "Welche Zahl ist es? Name wählen.",
     "wants_names": "Welches sind die Unbekannten?",
     "wants_sense": "Welcher Drehsinn?",
+    "wants_base": "An welcher Linie des Plans beginnt der Winkel?",
     "wants_made": "Drücken, was weg soll."
   },
   "pt": {
@@ -3298,7 +3313,10 @@ export const board = {
     "is_undone": "desfeita",
     "normal": "perpendicular a",
     "parallel": "paralela a",
+    "turned": "girada do ângulo",
+    "at_base": "desde",
     "angle": "com o ângulo",
+    "other_way": "No sentido contrário",
     "sense_none": "como sai",
     "ccw": "anti-horário",
     "cw": "horário",
@@ -3357,6 +3375,7 @@ export const board = {
     "slot_number_name": "Nome do número",
     "slot_names": "Incógnitas",
     "slot_sense": "Sentido",
+    "slot_base": "Reta do polígono onde o ângulo começa, como b,c",
     "slot_made": "O que foi desenhado",
     "wants_sheet": "Em que folha?",
     "wants_point": "Falta um ponto: toque ou escolha.",
@@ -3372,6 +3391,7 @@ export const board = {
     "wants_number_name": "Que número é? Escolha o nome.",
     "wants_names": "Quais são as incógnitas?",
     "wants_sense": "Que sentido?",
+    "wants_base": "Em que reta do polígono começa o ângulo?",
     "wants_made": "Toque o que deve sair."
   }
 };

@@ -4,7 +4,7 @@ import { touch, type Press } from "../look/touch.ts";
 import { newest } from "../state/newest.ts";
 import type { Model } from "./model.ts";
 import type { Place, Stage } from "./stage.ts";
-import type { Snap } from "./types.ts";
+import type { Snapped } from "../engine/types.ts";
 
 /** How near something must be, in pixels: for a finger, and for a mouse or a pen. */
 const REACH = { touch: 22, pen: 10, mouse: 12 };
@@ -14,7 +14,7 @@ const HOLD = 280;
 type By = Press["by"];
 
 /** What is possible at a place, the nearest first. */
-export async function snaps(app: App, model: Model, stage: Stage, at: Place, reach: number): Promise<Snap[]> {
+export async function snaps(app: App, model: Model, stage: Stage, at: Place, reach: number): Promise<Snapped[]> {
   const { good } = app.solved.value;
   if (good === "" || model.until.value !== null) return [];
   return app.engine.board_snap(good, model.known.value?.drawing ?? "", { has: model.has.value, sheet: stage.sheet, at, reach }).catch(() => []);

@@ -6,7 +6,7 @@ import { newest } from "../state/newest.ts";
 import { signal, type Signal } from "../state/signal.ts";
 import { standing } from "./file.ts";
 import type { Model } from "./model.ts";
-import type { BoardJudged, JudgedEntry } from "./types.ts";
+import type { BoardJudged, JudgedEntry } from "../engine/types.ts";
 import { say } from "./words.ts";
 
 export interface Judging {

@@ -5,7 +5,7 @@ import { snaps } from "./hands.ts";
 import type { Model } from "./model.ts";
 import type { Place, Stage } from "./stage.ts";
 import { HOWS, howOf, KEY_OF, lacking, slotsOf, TOOLS } from "./tools.ts";
-import type { Snap } from "./types.ts";
+import type { Snapped } from "../engine/types.ts";
 import { say } from "./words.ts";
 
 /** Steps of the arrows, in mm: by themselves, and with Shift. */
@@ -20,7 +20,7 @@ const WAYS: Record<string, Place> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], Ar
 /** `toStrip` goes to what is written next of the entry under way, if it is not pointed at. */
 export function keys(app: App, model: Model, stages: readonly Stage[], toStrip: () => void): void {
   /** What N goes through, with the entry for which it was asked. */
-  let round: { of: string; all: { stage: Stage; snap: Snap }[]; at: number } = { of: "", all: [], at: -1 };
+  let round: { of: string; all: { stage: Stage; snap: Snapped }[]; at: number } = { of: "", all: [], at: -1 };
   /** The plan on which keys were last. */
   let plan: Sheet = PLANS[0]!;
 

@@ -5,7 +5,7 @@ import { language } from "../words.ts";
 import { standing } from "./file.ts";
 import type { Model } from "./model.ts";
 import { whyOf, type Judging } from "./judging.ts";
-import type { JudgedEntry } from "./types.ts";
+import type { JudgedEntry } from "../engine/types.ts";
 import { say } from "./words.ts";
 
 const SIGNS: Record<JudgedEntry["verdict"], string> = { right: "✓", wrong: "✗", follows: "↳", unused: "–", undone: "" };

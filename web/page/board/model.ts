@@ -8,7 +8,7 @@ import { signal, type Signal } from "../state/signal.ts";
 import type { BoardUse } from "../state/address.ts";
 import { drawingOf, drawingText, standing, type Drawing, type Entry } from "./file.ts";
 import { begun, lacking, slotsOf, type Tool } from "./tools.ts";
-import type { Board, Ghost, Snap } from "./types.ts";
+import type { Board, Ghost, Snapped } from "../engine/types.ts";
 import { say } from "./words.ts";
 
 /** What is shown over a sheet besides what is drawn. */
@@ -33,6 +33,8 @@ export interface Model {
   /** The own drawing before another file was opened; null where none was. */
   readonly replaced: Signal<string | null>;
   readonly shown: Signal<Shown | null>;
+  /** The drawing that is shown: with the entry under way where only the name of its point is missing, so that it is seen what is to be named. */
+  readonly pictured: Signal<string>;
   /** What is said below: why something was refused, or what to do. */
   readonly says: Signal<{ text: string; isBad: boolean }>;
   readonly canUndo: Signal<boolean>;
@@ -44,7 +46,7 @@ export interface Model {
   /** Another value in the entry under way. */
   fill(entry: Entry): void;
   /** Takes what a press has added: the entry is written where all is said. */
-  take(snap: Snap): Promise<boolean>;
+  take(snap: Snapped): Promise<boolean>;
   /** Writes the entry under way, with a name of the board's own where one may be missing. */
   write(): Promise<boolean>;
   undo(): Promise<void>;
@@ -59,6 +61,9 @@ export interface Model {
   inTurn(act: () => unknown): Promise<void>;
 }
 
+/** What a point is called that has no name yet. */
+const NAMELESS = "?";
+
 /** How the board is used where no link says it. */
 const USUAL: BoardUse = { mode: "practice", snap: "all", at_once: false };
 
@@ -67,6 +72,7 @@ export function model(app: App): Model {
   const tool = signal<Tool>("lay_off");
   const has = signal<Entry>(begun("lay_off"));
   const says = signal({ text: "", isBad: false });
+  const pictured = signal("");
   const canUndo = signal(false);
   const canRedo = signal(false);
   const until = signal<number | null>(null);
@@ -198,6 +204,7 @@ export function model(app: App): Model {
     until,
     looked,
     replaced,
+    pictured,
     shown: signal<Shown | null>(null),
     says,
     canUndo,
@@ -216,8 +223,9 @@ export function model(app: App): Model {
       if (says.value.isBad) says.set({ text: "", isBad: false });
     },
     async take(snap) {
-      own.fill(snap.entry);
-      if (!snap.is_whole || lacking(tool.value, named(snap.entry)) !== undefined) return false;
+      const entry = snap.entry as Entry;
+      own.fill(entry);
+      if (!snap.is_whole || lacking(tool.value, named(entry)) !== undefined) return false;
       return write();
     },
     write,
@@ -260,6 +268,16 @@ export function model(app: App): Model {
       );
     },
   };
+
+  function picture(): void {
+    const now = known.value?.drawing ?? "";
+    const slot = lacking(tool.value, has.value);
+    const isNameless = slot?.takes === "point_name" && (tool.value !== "mark" || has.value["drawn"] !== undefined) && until.value === null && looked.value === null;
+    pictured.set(isNameless ? drawingText({ ...drawing(), did: [...drawing().did, slot.set(has.value, NAMELESS)] }) : now);
+  }
+  known.on(picture);
+  has.on(picture);
+  until.on(picture);
 
   // Another drawing, or another scene.
   let last = "";

@@ -15,7 +15,7 @@ import { language } from "../words.ts";
 import type { Judging } from "./judging.ts";
 import { loupe, type Loupe } from "./loupe.ts";
 import type { Model } from "./model.ts";
-import type { BoardSheet, Ghost, Snap } from "./types.ts";
+import type { BoardSheet, Ghost, Snapped } from "../engine/types.ts";
 import { say } from "./words.ts";
 
 /** A place on a sheet, in mm from its upper left corner. */
@@ -34,7 +34,7 @@ export interface Stage {
   /** Where keys are; null while a pointer is used. */
   cursor: Place | null;
   /** What a press would add, beside the hand; null where there is nothing. */
-  aim(snap: Snap | null): void;
+  aim(snap: Snapped | null): void;
   /** Draws what lies over the sheet anew. */
   draw(): void;
 }
@@ -54,7 +54,7 @@ export function stage(app: App, model: Model, judging: Judging, sheet: Sheet): S
 
   let size: BoardSheet | null = null;
   let svg = "";
-  let aimed: Snap | null = null;
+  let aimed: Snapped | null = null;
 
   function paint(): void {
     if (svg !== "") fill(drawn, isDark.value ? forDark(svg) : svg);
@@ -66,7 +66,7 @@ export function stage(app: App, model: Model, judging: Judging, sheet: Sheet): S
     if (good === "" || root.hidden || !app.drawing.value) return;
     const letters = view.now.value.scale * PRINTED < READ ? READ / view.now.value.scale : null;
     try {
-      const picture = await app.engine.board_picture(good, model.known.value?.drawing ?? "", { sheet, until, letters, judged: judging.verdicts.value !== null });
+      const picture = await app.engine.board_picture(good, model.pictured.value, { sheet, until, letters, judged: judging.verdicts.value !== null });
       svg = withoutPaper(picture.svg);
       paint();
     } catch (refused) {
@@ -131,11 +131,11 @@ export function stage(app: App, model: Model, judging: Judging, sheet: Sheet): S
     scale.textContent = next.scale;
     if (size === null || size.width !== next.width || size.height !== next.height) view.fit([0, 0, next.width, next.height]);
     size = next;
-    picturing.want(undefined);
   }
 
   model.known.on(follow);
   judging.verdicts.on(() => picturing.want(undefined));
+  model.pictured.on(() => picturing.want(undefined));
   model.until.on(() => picturing.want(undefined));
   model.shown.on(draw);
   isDark.on(paint);

@@ -6,14 +6,14 @@ import { language } from "../words.ts";
 import type { Entry } from "./file.ts";
 import type { Model } from "./model.ts";
 import { HOWS, lacking, slotsOf, type Slot, type Takes } from "./tools.ts";
-import type { Board } from "./types.ts";
+import type { Board } from "../engine/types.ts";
 import { say } from "./words.ts";
 
 /** What can be chosen: a name of the file and what is shown of it. */
 type Choice = [value: string, shown: string];
 
 /** Slots that are written into; the others are chosen from what there is. */
-const WRITTEN: readonly Takes[] = ["formula", "formulas", "point_name", "line_name", "number_name", "names", "angle"];
+const WRITTEN: readonly Takes[] = ["formula", "formulas", "point_name", "line_name", "number_name", "names", "angle", "base"];
 
 export interface Strip {
   root: HTMLElement;
@@ -96,6 +96,17 @@ export function strip(model: Model, back: () => void): Strip {
     return box;
   }
 
+  /** Turns a vector round: a negative size runs against the direction. */
+  function otherWay(): HTMLButtonElement {
+    const turn = element("button", { type: "button", class: "turn", "aria-label": say("other_way"), title: say("other_way") }, "±");
+    turn.onclick = () => {
+      const size = slotsOf("lay_off", model.has.value).find(({ blank }) => blank === "size")!;
+      const now = size.get(model.has.value).trim();
+      if (now !== "") fill(size, /^-\(.*\)$/.test(now) ? now.slice(2, -1) : `-(${now})`);
+    };
+    return turn;
+  }
+
   /** Builds the sentence anew where its boxes are others. */
   function build(): void {
     const tool = model.tool.value;
@@ -104,13 +115,15 @@ export function strip(model: Model, back: () => void): Strip {
     if (next === shape) return;
     shape = next;
     chosen = "";
+    const turns = tool === "lay_off" ? [otherWay()] : [];
     boxes = new Map(slots.map((slot) => [slot.blank, boxOf(slot)]));
     // The blanks of the sentence are where the boxes stand.
     const marked = Object.fromEntries(["on", "how", "reference", ...slots.map(({ blank }) => blank)].map((blank) => [blank, `\u0001${blank}\u0001`]));
     const parts = say(`form_${tool}`, marked).split("\u0001");
     form.replaceChildren(...parts.flatMap((part) => {
       const box = boxes.get(part);
-      return box !== undefined ? [box] : part.trim() === "" || part in marked ? [] : [element("span", {}, part.trim())];
+      if (part === "reference" && boxes.has("base")) return [boxes.get("turned_from")!, element("span", {}, "→"), boxes.get("turned_to")!, element("span", {}, say("at_base")), boxes.get("base")!];
+      return box !== undefined ? [box, ...(part === "size" ? turns : [])] : part.trim() === "" || part in marked ? [] : [element("span", {}, part.trim())];
     }));
     form.setAttribute("aria-label", say(`tool_${tool}`));
   }

@@ -9,7 +9,7 @@ export type Tool = (typeof TOOLS)[number];
 export const KEY_OF: Record<Tool, string> = { lay_off: "d", line: "s", join: "r", cross: "p", mark: "k", like: "i", measure: "m", compute: "=", solve: "e", rub: "x" };
 
 /** What a slot takes: a point of the sheet that is drawn on, one of the scheme, a line, what has a direction, a way to lie to it, a formula, … */
-export type Takes = "sheet" | "point" | "scheme" | "line" | "direction" | "how" | "angle" | "formula" | "formulas" | "point_name" | "line_name" | "number_name" | "names" | "sense" | "made";
+export type Takes = "sheet" | "point" | "scheme" | "line" | "direction" | "how" | "angle" | "formula" | "formulas" | "point_name" | "line_name" | "number_name" | "names" | "sense" | "made" | "base";
 
 export interface Slot {
   /** Its blank in the tool's sentence. */
@@ -61,18 +61,20 @@ function listed(name: string, takes: Takes, sign: string): Slot {
   };
 }
 
-export const HOWS = ["normal", "parallel", "angle"] as const;
+export const HOWS = ["normal", "parallel", "turned", "angle"] as const;
 type How = (typeof HOWS)[number];
 
 const alongOf = (entry: Entry): Record<string, unknown> => (typeof entry["along"] === "object" && entry["along"] !== null ? (entry["along"] as Record<string, unknown>) : {});
 export const howOf = (entry: Entry): How => HOWS.find((how) => how in alongOf(entry)) ?? "normal";
 
-const HOW: Slot = {
-  blank: "how",
-  takes: "how",
-  get: howOf,
-  set: (entry, how) => ({ ...entry, along: { [how]: how === "angle" || howOf(entry) === "angle" ? "" : (alongOf(entry)[howOf(entry)] ?? "") } }),
-};
+/** How something lies, with nothing to lie to; what it lies to stays between right angles and parallels. */
+function along(how: How, before: Entry = {}): Entry {
+  if (how === "turned") return { turned: ["", ""], base: "" };
+  const reference = alongOf(before)[howOf(before)];
+  return { [how]: how !== "angle" && howOf(before) !== "angle" && typeof reference === "string" ? reference : "" };
+}
+
+const HOW: Slot = { blank: "how", takes: "how", get: howOf, set: (entry, how) => ({ ...entry, along: along(how as How, entry) }) };
 const REFERENCE: Slot = {
   blank: "reference",
   takes: "direction",
@@ -84,11 +86,18 @@ const ANGLE: Slot = {
   takes: "angle",
   set: (entry, value) => ({ ...entry, along: { angle: value.trim() !== "" && Number.isFinite(Number(value)) ? Number(value) : value } }),
 };
+/** Turned by the angle from one direction to another, beginning at a third: the rays of similar triangles. */
+const TURNED: Slot[] = [at("turned", 0, "direction", "turned_from"), at("turned", 1, "direction", "turned_to"), key("base", "base")].map((slot) => ({
+  ...slot,
+  get: (entry) => slot.get(alongOf(entry)),
+  set: (entry, value) => ({ ...entry, along: slot.set(alongOf(entry), value) }),
+}));
+const directionOf = (entry: Entry): Slot[] => [HOW, ...(howOf(entry) === "turned" ? TURNED : [howOf(entry) === "angle" ? ANGLE : REFERENCE])];
 const ON = key("on", "sheet");
 
 /** The slots of an entry, in the order in which they are filled; the name of what it makes comes last. */
 export function slotsOf(tool: Tool, entry: Entry): Slot[] {
-  const direction = [HOW, howOf(entry) === "angle" ? ANGLE : REFERENCE];
+  const direction = directionOf(entry);
   switch (tool) {
     case "lay_off":
       return [ON, key("size", "formula"), key("from", "point"), ...direction, key("lay_off", "point_name", "name")];
@@ -115,8 +124,8 @@ export function slotsOf(tool: Tool, entry: Entry): Slot[] {
 
 /** An entry of which nothing is said yet; what lies how to a direction is kept from the one before. */
 export function begun(tool: Tool, before: Entry = {}): Entry {
-  const along = tool === "line" || tool === "lay_off" ? { along: { [howOf(before)]: "" } } : {};
-  return { [tool]: tool === "solve" ? [] : "", ...along };
+  const how = tool === "line" || tool === "lay_off" ? { along: along(howOf(before)) } : {};
+  return { [tool]: tool === "solve" ? [] : "", ...how };
 }
 
 /** The slot that is to be filled next; none where all is said but perhaps a name that the board gives by itself. */

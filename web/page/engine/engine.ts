@@ -1,10 +1,14 @@
-import type { Board, BoardHint, BoardJudged, BoardPictureAsk, Snap, SnapAsk } from "../board/types.ts";
 import type {
-  Drafted,
-  DraftedView,
+  Board,
+  BoardHint,
+  BoardJudged,
+  BoardPicture,
+  BoardPictureAsk,
   CheckOptions,
   Checked,
   Curves,
+  Drafted,
+  DraftedView,
   Edit,
   Exercise,
   ExerciseOptions,
@@ -22,9 +26,11 @@ import type {
   Picture,
   PlacedPoint,
   PointVerdict,
+  Pressed,
   Proposed,
   Pull,
   Running,
+  Snapped,
   Tapped,
   Value,
   View,
@@ -85,9 +91,9 @@ export interface Engine {
   /** What a drawing is: its sheets, what stands on them, what it has to choose from; an empty text begins one. */
   board(text: string, drawing: string): Board;
   /** What a press at a place of a sheet adds to the entry under way, the nearest first. */
-  board_snap(text: string, drawing: string, ask: SnapAsk): Snap[];
+  board_snap(text: string, drawing: string, ask: Pressed): Snapped[];
   /** A sheet as it is after so many entries. */
-  board_picture(text: string, drawing: string, ask: BoardPictureAsk): { svg: string; width: number; height: number };
+  board_picture(text: string, drawing: string, ask: BoardPictureAsk): BoardPicture;
   /** What is right and what is wrong, entry by entry. */
   board_judge(text: string, drawing: string): BoardJudged;
   /** What could come next: 1 where, 2 by which relation, 3 the operation itself. */

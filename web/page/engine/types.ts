@@ -198,6 +198,22 @@ export type OverCycle =
       hodograph: string[];
     };
 /**
+ * What can be pointed at.
+ */
+export type ThingKind = "point" | "line" | "link" | "guide";
+/**
+ * What a name is of.
+ */
+export type NameKind = "point" | "number";
+/**
+ * What is not drawn yet.
+ */
+export type GhostKind = "line" | "square" | "arrow" | "point";
+/**
+ * The word for a verdict in results.
+ */
+export type DrawingVerdict = "right" | "wrong" | "follows" | "unused" | "undone";
+/**
  * An error that all measured lengths have in common.
  */
 export type CommonErrorResult =
@@ -261,6 +277,22 @@ export type SceneStyleName = "paper" | "print" | "lecture" | "board";
  * Notation of poles, images and parts of accelerations. Names of quantities stay the same.
  */
 export type SceneNotation = "paper" | "english" | "russian" | "german";
+/**
+ * How the motion along a guide is written.
+ */
+export type SceneSliding = "slider" | "points";
+/**
+ * The index of the Coriolis part of an acceleration.
+ */
+export type SceneCoriolis = "c" | "C" | "k" | "cor";
+/**
+ * The number of the frame, in place of the word for it.
+ */
+export type SceneFrame = "0" | "1";
+/**
+ * The sense in which the velocity plan is turned by 90°.
+ */
+export type SceneTurned = "counter-clockwise" | "clockwise";
 /**
  * A language of headings and captions.
  */
@@ -916,6 +948,390 @@ export interface DraftedView {
    * Pixels for a unit of length.
    */
   scale: number;
+}
+/**
+ * A drawing on a board.
+ */
+export interface Board {
+  /**
+   * The drawing's text; of no text that of an empty drawing.
+   */
+  drawing: string;
+  /**
+   * What the scene gives.
+   */
+  given: BoardNumber[];
+  /**
+   * The sheets.
+   */
+  sheets: BoardSheet[];
+  /**
+   * All that can be pointed at.
+   */
+  things: BoardThing[];
+  /**
+   * What a formula may use: what is given, what has been found, what may be measured.
+   */
+  numbers: BoardNumber[];
+  /**
+   * The names that mean something, in the order of the construction.
+   */
+  names: BoardName[];
+  /**
+   * The next free names of one's own.
+   */
+  free: FreeNames;
+  /**
+   * The entries of the drawing, in order.
+   */
+  did: BoardEntry[];
+  /**
+   * The first entry that cannot be carried out; none where all can.
+   */
+  refused: BoardRefused | null;
+}
+/**
+ * A number beside the sheets.
+ */
+export interface BoardNumber {
+  /**
+   * Its name in formulas.
+   */
+  name: string;
+  /**
+   * As the sheets write it, in HTML.
+   */
+  label: string;
+  /**
+   * Its value in figures.
+   */
+  value: string;
+  /**
+   * Its unit.
+   */
+  unit: string;
+  /**
+   * The entry that made it; none for what is given or can be measured.
+   */
+  entry: number | null;
+}
+/**
+ * A sheet of a board.
+ */
+export interface BoardSheet {
+  /**
+   * Which sheet.
+   */
+  sheet: Panel;
+  /**
+   * Width in mm.
+   */
+  width: number;
+  /**
+   * Height in mm.
+   */
+  height: number;
+  /**
+   * Where the pole stands; none on the scheme.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  pole: [number, number] | null;
+  /**
+   * Its scale in words.
+   */
+  scale: string;
+}
+/**
+ * Something that can be pointed at.
+ */
+export interface BoardThing {
+  /**
+   * On which sheet.
+   */
+  sheet: Panel;
+  /**
+   * What it is.
+   */
+  kind: ThingKind;
+  /**
+   * Its name, as entries call it.
+   */
+  name: string;
+  /**
+   * As the sheet writes it, in HTML.
+   */
+  label: string;
+  /**
+   * It in words, as `link 2`.
+   */
+  words: string;
+  /**
+   * Its outline, as the path of an SVG; empty for a point.
+   */
+  path: string;
+  /**
+   * A place of it.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+  /**
+   * The entry that made it; none for what is given.
+   */
+  entry: number | null;
+}
+/**
+ * A name that means something.
+ */
+export interface BoardName {
+  /**
+   * On which sheet; none of a number.
+   */
+  sheet: Panel | null;
+  /**
+   * Of a point or of a number.
+   */
+  kind: NameKind;
+  /**
+   * The name.
+   */
+  name: string;
+  /**
+   * As the sheets write it, in HTML.
+   */
+  label: string;
+  /**
+   * Whether it is there already.
+   */
+  is_made: boolean;
+}
+/**
+ * Names of one's own that are free.
+ */
+export interface FreeNames {
+  /**
+   * For a line.
+   */
+  line: string;
+  /**
+   * For an auxiliary point.
+   */
+  point: string;
+  /**
+   * For a number.
+   */
+  number: string;
+}
+/**
+ * An entry on a board.
+ */
+export interface BoardEntry {
+  /**
+   * What it does, with what came out.
+   */
+  words: string;
+  /**
+   * On which sheet; none for a computation.
+   */
+  sheet: Panel | null;
+  /**
+   * Whether it has not been taken back.
+   */
+  stands: boolean;
+  /**
+   * The entries whose results it uses.
+   */
+  needs: number[];
+}
+/**
+ * An entry that cannot be carried out.
+ */
+export interface BoardRefused {
+  /**
+   * Its index.
+   */
+  entry: number;
+  /**
+   * Why.
+   */
+  message: string;
+}
+/**
+ * A press on a sheet.
+ */
+export interface Pressed {
+  /**
+   * The entry that is being written, with what is missing left out or empty.
+   */
+  has: unknown;
+  /**
+   * On which sheet.
+   */
+  sheet: Panel;
+  /**
+   * Where, in mm from the upper left corner, y down.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+  /**
+   * How far around, in mm.
+   */
+  reach: number;
+}
+/**
+ * What a press may mean.
+ */
+export interface Snapped {
+  /**
+   * The entry with what the press adds.
+   */
+  entry: unknown;
+  /**
+   * Whether no more than a name may be missing.
+   */
+  is_whole: boolean;
+  /**
+   * What is caught, in words.
+   */
+  words: string;
+  /**
+   * Where.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+  /**
+   * What would be drawn.
+   */
+  ghost: Ghost[];
+}
+/**
+ * Something that is not drawn yet.
+ */
+export interface Ghost {
+  /**
+   * What it is.
+   */
+  kind: GhostKind;
+  /**
+   * Its outline, as the path of an SVG in mm.
+   */
+  path: string;
+}
+/**
+ * A sheet of a drawing.
+ */
+export interface BoardPicture {
+  /**
+   * The picture; one unit of it is a millimetre of the sheet.
+   */
+  svg: string;
+  /**
+   * Width in mm.
+   */
+  width: number;
+  /**
+   * Height in mm.
+   */
+  height: number;
+}
+/**
+ * Which picture of a drawing is wanted.
+ */
+export interface BoardPictureAsk {
+  /**
+   * Of which sheet.
+   */
+  sheet: Panel;
+  /**
+   * How many entries are shown; none for all.
+   */
+  until: number | null;
+  /**
+   * Height of the letters in mm; none for those of a sheet of paper.
+   */
+  letters: number | null;
+  /**
+   * Whether what is wrong is marked.
+   */
+  judged: boolean;
+}
+/**
+ * What is found of a drawing.
+ */
+export interface BoardJudged {
+  /**
+   * The entries with their verdicts.
+   */
+  entries: JudgedEntry[];
+  /**
+   * The index of the first wrong one; none where nothing is wrong.
+   */
+  first_wrong: number | null;
+  /**
+   * Whether all that is to be found is there and nothing is wrong.
+   */
+  is_complete: boolean;
+}
+/**
+ * An entry with its verdict.
+ */
+export interface JudgedEntry {
+  /**
+   * Its index in the drawing, from 0.
+   */
+  index: number;
+  /**
+   * What it does, in words.
+   */
+  does: string;
+  /**
+   * What is found of it.
+   */
+  verdict: DrawingVerdict;
+  /**
+   * What is wrong.
+   */
+  says?: string | null;
+  /**
+   * The mistake of the catalogue.
+   */
+  mistake?: string | null;
+  /**
+   * What was probably done.
+   */
+  done?: string | null;
+  /**
+   * What it should be.
+   */
+  should?: string | null;
+}
+/**
+ * A hint.
+ */
+export interface BoardHint {
+  /**
+   * What is said.
+   */
+  words: string;
+  /**
+   * The sheet that it is about; none for a computation, and where nothing is left to do.
+   */
+  sheet: Panel | null;
+  /**
+   * What would be drawn, from the third stage on.
+   */
+  ghost: Ghost[];
+  /**
+   * The index of the entry that is wrong; none where the hint is about the next one.
+   */
+  entry: number | null;
 }
 /**
  * The form of a scene.
@@ -2057,6 +2473,23 @@ export interface SceneFigure {
    * How poles, images and parts of accelerations are written; left out: "paper". Names of quantities stay the same.
    */
   notation?: SceneNotation;
+  /**
+   * How motions along guides are written: "slider" as v_r(3/2), "points" as v_B3B2; left out: "slider".
+   */
+  sliding?: SceneSliding;
+  /**
+   * The index of Coriolis accelerations; left out: that of the notation.
+   */
+  coriolis?: SceneCoriolis;
+  /**
+   * The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word.
+   */
+  frame?: SceneFrame;
+  /**
+   * The sense in which figures and steps show the velocity plan turned by 90°; sheets to be drawn on, keys and checks have it as
+   * it is. Left out: not turned.
+   */
+  turned?: SceneTurned;
   /**
    * Language of headings and captions; left out: "en".
    */
