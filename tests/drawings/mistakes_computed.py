@@ -54,7 +54,14 @@ def half(p):
 @kind("wrong-length", "wrong-length", "normal", "crank-velocity", "crank-normal", "relative", "tangential", "crank-tangential")
 def wrong_length(p):
     other = p.pick(p.lengths(p.amount.length))
-    return other and p.amounts(length=other)
+    return other and not p.amount.segment and p.amounts(length=other) or None
+
+
+@kind("wrong-length-below-a-velocity", "wrong-length omega-from-wrong-length", "normal", "crank-normal")
+def wrong_length_below(p):
+    """v² / L with another length; as well ω v with ω from it."""
+    other = p.pick(p.lengths(p.amount.length))
+    return other and p.amount.segment and p.amounts(length=other) or None
 
 
 @kind("length-forgotten", "", "normal", "relative", "tangential")
@@ -136,7 +143,9 @@ def wrong_segment_in_formula(p):
 @kind("component", "component", "measure")
 def component(p):
     part = p.rng.choice([lambda z: z.real, lambda z: z.imag])
-    return [p.op.but(dict(p.entry), reading=part)]
+    segment = p.sheets.point(p.sheet, p.entry["to"]) - p.sheets.point(p.sheet, p.entry["from"])
+    # Nobody reads a part that is nearly nothing.
+    return [p.op.but(dict(p.entry), reading=part)] if abs(part(segment)) > 0.15 * abs(segment) else None
 
 
 @kind("decimal-slipped", "decimal-slipped", "rate", "slide", "measure", "crank-velocity", "normal", "coriolis")
