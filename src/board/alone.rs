@@ -232,7 +232,7 @@ impl Bench<'_> {
     }
 
     /// The quantity that a number's name means: itself, or of two points written together the segment between them.
-    fn meaning(&self, entry: &Entry, name: &str) -> Option<String> {
+    pub fn meaning(&self, entry: &Entry, name: &str) -> Option<String> {
         let given = self.judge.given();
         if given.number(name).is_some() {
             return Some(name.to_owned());

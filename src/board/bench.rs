@@ -220,7 +220,7 @@ pub(super) fn has_numbers(entry: &Entry) -> bool {
 }
 
 /// The value of a measured segment whose name is that of its ends written together.
-pub(super) fn written_together(given: &Given, entry: &Entry, name: &str) -> Option<f64> {
+fn written_together(given: &Given, entry: &Entry, name: &str) -> Option<f64> {
     let Entry::Measure(Measure { on, from, to, .. }) = entry else { return None };
     if *name != format!("{from}{to}") {
         return None;

@@ -1,7 +1,7 @@
 //! Who is to blame for a wrong entry, and what was probably done there: the entry itself, or something of the hand's own on which it hangs.
 
 use super::alone::Held;
-use super::bench::{Bench, has_numbers, written_together};
+use super::bench::{Bench, has_numbers};
 use super::direction::Direction;
 use super::file::{Compute, Entry, LayOff, Line, Measure};
 use super::formula::Formula;
@@ -167,7 +167,7 @@ impl Bench<'_> {
             Made::Place(sheet, name, _) => Some(Made::Place(*sheet, name.clone(), given.place(*sheet, name)?)),
             Made::Numbers(all) => {
                 let right = |(name, _): &(String, f64)| {
-                    let right = given.number(name).or_else(|| written_together(given, entry, name))?;
+                    let right = given.number(&self.meaning(entry, name)?)?;
                     Some((name.clone(), right))
                 };
                 all.iter().map(right).collect::<Option<_>>().map(Made::Numbers)

@@ -128,7 +128,8 @@ impl<'j> Causes<'j> {
         let construction = self.judge.given().construction();
         let mechanism = self.judge.given().mechanism();
         let mut numbers = (0..construction.numbers.len()).map(NumberId);
-        let number = numbers.find(|n| construction.number_name(mechanism, *n) == name)?;
+        let is_it = |own: &str| own == name || self.judge.given().same_rates(name).any(|same| same == own);
+        let number = numbers.find(|n| is_it(&construction.number_name(mechanism, *n)))?;
         Some(values.number(number)).filter(|x| x.is_finite())
     }
 
@@ -226,7 +227,8 @@ impl Seen<'_, '_> {
             (Made::Numbers(all), Touched::Number { name, value, is_measured }) => {
                 // An equation is wrong by a segment only where it has another one.
                 let is_of_entry = !is_measured || !matches!(self.entry, Entry::Solve(_)) || self.has_other_segment();
-                is_of_entry && all.iter().any(|(own, number)| own == name && self.same_size(*number, *value))
+                is_of_entry
+                    && all.iter().any(|(own, number)| self.is_same_rate(own, name) && self.same_size(*number, *value))
             }
             // A number that is the size of a vector.
             (Made::Numbers(all), Touched::Place { at, start: Some(start), right, right_start, .. })
@@ -251,6 +253,11 @@ impl Seen<'_, '_> {
             let mut segments = side.names().into_iter().filter(|name| super::reads::segment_of(name).is_some());
             segments.any(|name| !known.iter().any(|known| known == name))
         })
+    }
+
+    /// Whether both are the same number, as the rates of links that turn together.
+    fn is_same_rate(&self, own: &str, name: &str) -> bool {
+        own == name || self.table.given.same_rates(own).any(|same| same == name)
     }
 
     fn same_size(&self, a: f64, b: f64) -> bool {

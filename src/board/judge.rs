@@ -7,6 +7,7 @@ use super::table::{Made, Table};
 use crate::check::{AnswerKey, Told};
 use crate::construction::Tolerance;
 use crate::message::Message;
+use crate::scene::{Head, QuantityName};
 use crate::sheet::{PerSheet, Sheet};
 
 /// What is found of an entry.
@@ -130,7 +131,14 @@ impl Judge {
         let steps = construction.steps_of_quantities();
         let of_point = |sheet: Sheet, name: &str| {
             let order = sheet.order()?;
-            steps.get(&sheet.segment_name(order.pole(), name))
+            // A vector is the segment from where it begins.
+            let ends_there = |quantity: &str| {
+                QuantityName::parse(quantity).is_some_and(|quantity| {
+                    quantity.head == Head::Between(sheet) && quantity.arguments.last().is_some_and(|end| end == name)
+                })
+            };
+            let vector = || steps.iter().find(|(quantity, _)| ends_there(quantity)).map(|(_, step)| step);
+            steps.get(&sheet.segment_name(order.pole(), name)).or_else(vector)
         };
         let mut found = vec![0; drawing.did.len()];
         let mut table = Table::new(&self.given, self.scales(drawing));

@@ -1,9 +1,12 @@
 //! In: a scene and a [`HandDrawing`], what a hand did with ruler, set squares, dividers, pencil and calculator, operation by operation.
 //! Out: the sheets as they were drawn, and a verdict on each operation, with what was probably done at the first wrong one.
 //!
-//! In reading order: `file` and `formula` (the drawing as it is written), `given` (what the scene gives, and what every name means),
-//! `table` (the things made so far, and how one more entry is carried out), `reads` (what an entry uses), `others` (scenes like
-//! this one), `judge`, `cause` (the catalogue of mistakes, and what follows from the hand's own things).
+//! In reading order: `file`, `direction` and `formula` (the drawing as it is written), `given` (what the scene gives, and what every name
+//! means), `table` and `equations` (the things made so far, and how one more entry is carried out), `reads` (what an entry uses).
+//! `judge` and `others` (scenes like this one), `bench` (entry by entry), `alone` and `free_hand` (what an entry comes to by itself), `blame`
+//! (who is to blame), `cause` (the catalogue of mistakes), `slips` and `slip_vectors` (what the entry would be without a slip). `told` puts it
+//! in words. For pages: `screen`, `shown` and `numbers` (what is seen), `snap` (what a press may mean), `hint`, `form` (the drawing as a
+//! form of values); `writes` writes Kinegon's own construction as a drawing.
 //!
 //! # Each operation by itself
 //!
@@ -26,11 +29,13 @@ mod free_hand;
 mod given;
 mod hint;
 mod judge;
+mod numbers;
 mod others;
 mod reads;
 #[doc(hidden)] // for tests
 pub mod says;
 mod screen;
+mod shown;
 mod slip_vectors;
 mod slips;
 mod snap;
@@ -47,9 +52,9 @@ pub use formula::Formula;
 pub use given::Given;
 pub use hint::{BoardHint, STAGES};
 pub use judge::{BoardError, Judge, JudgedDrawing, Verdict, Wrong};
-pub use screen::{
-    Board, BoardEntry, BoardName, BoardNumber, BoardRefused, BoardSheet, BoardThing, FreeNames, NameKind, Screen,
-    ThingKind,
+pub use screen::Screen;
+pub use shown::{
+    Board, BoardEntry, BoardName, BoardNumber, BoardRefused, BoardSheet, BoardThing, FreeNames, NameKind, ThingKind,
 };
 pub use snap::{Ghost, GhostKind, Pressed, Snapped};
 pub use table::{DrawnLine, Made, Table};

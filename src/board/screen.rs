@@ -4,6 +4,7 @@
 use super::file::{Entry, HandDrawing, LayOff};
 use super::judge::{BoardError, Judge, JudgedDrawing, Verdict};
 use super::reads::reads;
+use super::shown::{Board, BoardEntry, BoardName, BoardRefused, BoardSheet, BoardThing, NUMBERS, NameKind, ThingKind};
 use super::table::{DrawnLine, Made, Table, things};
 use crate::drawing::{
     Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, RichText, SheetLabels, hand_sheet,
@@ -14,157 +15,8 @@ use crate::geometry::Vector;
 use crate::quantity::{QuantityRequest, readable_names};
 use crate::scene::QuantityName;
 use crate::sheet::{PerSheet, Sheet};
-use crate::words::{NumberStyle, Wording};
-use indexmap::IndexMap;
-use schemars::JsonSchema;
-use serde::Serialize;
+use crate::words::Wording;
 use std::collections::BTreeMap;
-
-/// A drawing on a board.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Board {
-    /// The drawing's text; of no text that of an empty drawing.
-    pub drawing: String,
-    /// What the scene gives.
-    pub given: Vec<BoardNumber>,
-    /// The sheets.
-    pub sheets: Vec<BoardSheet>,
-    /// All that can be pointed at.
-    pub things: Vec<BoardThing>,
-    /// What a formula may use: what is given, what has been found, what may be measured.
-    pub numbers: Vec<BoardNumber>,
-    /// The names that mean something, in the order of the construction.
-    pub names: Vec<BoardName>,
-    /// The next free names of one's own.
-    pub free: FreeNames,
-    /// The entries of the drawing, in order.
-    pub did: Vec<BoardEntry>,
-    /// The first entry that cannot be carried out; none where all can.
-    pub refused: Option<BoardRefused>,
-}
-
-/// A sheet of a board.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct BoardSheet {
-    /// Which sheet.
-    pub sheet: Sheet,
-    /// Width in mm.
-    pub width: f64,
-    /// Height in mm.
-    pub height: f64,
-    /// Where the pole stands; none on the scheme.
-    pub pole: Option<[f64; 2]>,
-    /// Its scale in words.
-    pub scale: String,
-}
-
-/// Something that can be pointed at.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct BoardThing {
-    /// On which sheet.
-    pub sheet: Sheet,
-    /// What it is.
-    pub kind: ThingKind,
-    /// Its name, as entries call it.
-    pub name: String,
-    /// As the sheet writes it, in HTML.
-    pub label: String,
-    /// It in words, as `link 2`.
-    pub words: String,
-    /// Its outline, as the path of an SVG; empty for a point.
-    pub path: String,
-    /// A place of it.
-    pub at: [f64; 2],
-    /// The entry that made it; none for what is given.
-    pub entry: Option<usize>,
-}
-
-/// What can be pointed at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum ThingKind {
-    /// A point.
-    Point,
-    /// A line that was drawn.
-    Line,
-    /// A link, or two points of one.
-    Link,
-    /// A guide.
-    Guide,
-}
-
-/// A number beside the sheets.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct BoardNumber {
-    /// Its name in formulas.
-    pub name: String,
-    /// As the sheets write it, in HTML.
-    pub label: String,
-    /// Its value in figures.
-    pub value: String,
-    /// Its unit.
-    pub unit: String,
-    /// The entry that made it; none for what is given or can be measured.
-    pub entry: Option<usize>,
-}
-
-/// A name that means something.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct BoardName {
-    /// On which sheet; none of a number.
-    pub sheet: Option<Sheet>,
-    /// Of a point or of a number.
-    pub kind: NameKind,
-    /// The name.
-    pub name: String,
-    /// As the sheets write it, in HTML.
-    pub label: String,
-    /// Whether it is there already.
-    pub is_made: bool,
-}
-
-/// What a name is of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum NameKind {
-    /// A point.
-    Point,
-    /// A number.
-    Number,
-}
-
-/// Names of one's own that are free.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct FreeNames {
-    /// For a line.
-    pub line: String,
-    /// For an auxiliary point.
-    pub point: String,
-    /// For a number.
-    pub number: String,
-}
-
-/// An entry on a board.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct BoardEntry {
-    /// What it does, with what came out.
-    pub words: String,
-    /// On which sheet; none for a computation.
-    pub sheet: Option<Sheet>,
-    /// Whether it has not been taken back.
-    pub stands: bool,
-    /// The entries whose results it uses.
-    pub needs: Vec<usize>,
-}
-
-/// An entry that cannot be carried out.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct BoardRefused {
-    /// Its index.
-    pub entry: usize,
-    /// Why.
-    pub message: String,
-}
 
 /// A judge with the papers on which drawings of its scene are shown.
 #[derive(Debug)]
@@ -173,9 +25,6 @@ pub struct Screen {
     pub judge: Judge,
     words: Wording,
 }
-
-/// How numbers beside the sheets are written.
-const NUMBERS: NumberStyle = NumberStyle::significant(4).trimmed();
 
 impl Screen {
     /// A board for the scene of a judge; what it says is in the language of `words`.
@@ -226,15 +75,15 @@ impl Screen {
         let papers: Vec<(Sheet, HandPaper)> =
             Sheet::ALL.into_iter().filter_map(|sheet| Some((sheet, self.paper(sheet, scales)?))).collect();
         let labels = SheetLabels::of(&self.judge.given().solution);
-        let numbers = Numbers { screen: self, labels: &labels, makers: &makers };
+        let [given, all] = self.numbers(&table, &labels, &makers);
         Board {
             drawing: text,
-            given: numbers.given(&table),
+            given,
             sheets: papers.iter().map(|(sheet, paper)| self.sheet(*sheet, paper)).collect(),
             things: self.things(&table, &papers, &makers, &labels),
-            numbers: numbers.all(&table),
+            numbers: all,
             names: self.names(&table, &labels),
-            free: free_names(&table),
+            free: Screen::free_names(&table),
             did: self.entries(drawing, refused.as_ref()),
             refused: refused.map(|BoardError { entry, message }| BoardRefused {
                 entry,
@@ -440,7 +289,7 @@ impl Screen {
         format!("{} {}", self.words.write(number, NUMBERS), self.unit(name)).trim_end().to_owned()
     }
 
-    fn unit(&self, name: &str) -> String {
+    pub(super) fn unit(&self, name: &str) -> String {
         let kind = QuantityName::parse(name).map(|name| name.head.kind());
         kind.map_or_else(String::new, |kind| kind.unit(self.judge.given().solution.scene.units))
     }
@@ -521,99 +370,6 @@ pub(super) struct Reference {
     pub kind: ThingKind,
     pub words: crate::Message,
     pub ends: [Vector; 2],
-}
-
-/// The numbers of a board.
-struct Numbers<'s> {
-    screen: &'s Screen,
-    labels: &'s SheetLabels<'s>,
-    makers: &'s BTreeMap<(Option<Sheet>, String), usize>,
-}
-
-impl Numbers<'_> {
-    fn number(&self, name: &str, number: f64, entry: Option<usize>) -> BoardNumber {
-        let given = self.screen.judge.given();
-        // A name of somebody's own is a stranger's text.
-        let label = match QuantityRequest::new(name, given.mechanism()) {
-            Ok(asked) => self.labels.quantity(&asked),
-            Err(_) => RichText::verbatim(name.to_owned()),
-        };
-        BoardNumber {
-            name: name.to_owned(),
-            label: html_text(&label),
-            value: self.screen.words.write(number, NUMBERS),
-            unit: self.screen.unit(name),
-            entry,
-        }
-    }
-
-    /// Rates of drives, and lengths between points of links.
-    fn given(&self, table: &Table<'_>) -> Vec<BoardNumber> {
-        let given = self.screen.judge.given();
-        let mechanism = given.mechanism();
-        let mut names: Vec<String> = Vec::new();
-        for (id, body) in mechanism.links().filter(|(id, _)| mechanism.is_known(*id)) {
-            let _ = id;
-            names.extend(["omega", "alpha"].map(|head| format!("{head}({})", body.name)));
-        }
-        for id in mechanism.slider_ids().filter(|id| mechanism.slider(*id).drive.is_some()) {
-            names.extend(["v_r", "a_r"].map(|head| format!("{head}({})", mechanism.slider_name(id))));
-        }
-        for body in &mechanism.bodies {
-            let points: Vec<&str> = body.points.iter().map(|point| mechanism.point_name(*point)).collect();
-            for (at, from) in points.iter().enumerate() {
-                names.extend(points[at + 1..].iter().map(|to| format!("L({from},{to})")));
-            }
-        }
-        let known: IndexMap<String, f64> =
-            names.into_iter().filter_map(|name| Some((name.clone(), table.known(&name)?))).collect();
-        known
-            .iter()
-            .filter(|(_, number)| **number != 0.0)
-            .map(|(name, number)| self.number(name, *number, None))
-            .collect()
-    }
-
-    fn all(&self, table: &Table<'_>) -> Vec<BoardNumber> {
-        let mut all = self.given(table);
-        all.extend(
-            table
-                .numbers()
-                .map(|(name, number)| self.number(name, number, self.makers.get(&(None, name.to_owned())).copied())),
-        );
-        // Segments between points that are there, from the pole on.
-        for sheet in Sheet::ALL {
-            let Some(order) = sheet.order() else { continue };
-            let own: Vec<&str> = table
-                .places(sheet)
-                .map(|(name, _)| name)
-                .filter(|name| self.makers.contains_key(&(Some(sheet), (*name).to_owned())))
-                .collect();
-            for (at, to) in own.iter().enumerate() {
-                for from in std::iter::once(&order.pole()).chain(&own[..at]) {
-                    let name = sheet.segment_name(from, to);
-                    let is_measured = all.iter().any(|number| number.name == name);
-                    if let (Some(number), false) = (table.known(&name), is_measured) {
-                        all.push(self.number(&name, number, None));
-                    }
-                }
-            }
-        }
-        all
-    }
-}
-
-fn free_names(table: &Table<'_>) -> FreeNames {
-    let free = |letter: &str, is_taken: &dyn Fn(&str) -> bool| {
-        let mut names = (1..).map(|number| format!("{letter}{number}"));
-        names.find(|name| !is_taken(name)).unwrap_or_default()
-    };
-    let is_point = |name: &str| Sheet::ALL.into_iter().any(|sheet| table.place(sheet, name).is_some());
-    FreeNames {
-        line: free("r", &|name| table.lines().any(|(own, _)| own == name)),
-        point: free("h", &is_point),
-        number: free("m", &|name| table.numbers().any(|(own, _)| own == name)),
-    }
 }
 
 /// Where a line enters and leaves its sheet, or goes on beyond where it misses it.

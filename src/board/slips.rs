@@ -343,9 +343,9 @@ fn segments(table: &Table<'_>, order: Order) -> Vec<(String, f64)> {
     own
 }
 
-/// The lengths between joints, by their names.
+/// The lengths between points of the scheme, those of the hand's own among them, by their names.
 fn lengths(table: &Table<'_>) -> Vec<(String, f64)> {
-    let places: Vec<(&str, Vector)> = table.given.places(Sheet::Scheme).collect();
+    let places: Vec<(&str, Vector)> = table.places(Sheet::Scheme).collect();
     let mut all = Vec::new();
     for (at, (from, start)) in places.iter().enumerate() {
         let others = places[at + 1..].iter().map(|(to, end)| (format!("L({from},{to})"), (end - start).norm()));

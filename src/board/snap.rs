@@ -358,6 +358,7 @@ impl Press<'_> {
         let caught = |(distance, name, at, words, ghost): (f64, &str, [f64; 2], String, Ghost)| {
             let mut entry = self.pressed.has.clone();
             entry.insert("rub".to_owned(), json!(name));
+            entry.insert("on".to_owned(), json!(sheet));
             (distance, Snapped { entry, is_whole: true, words, at, ghost: vec![ghost] })
         };
         let is_drawn = |name: &str| self.screen.judge.given().there().all(|(on, own, _)| (on, own) != (sheet, name));

@@ -103,6 +103,7 @@ pub struct ClassMistake {
     pub mistake: &'static str,
 }
 
+#[cfg(feature = "cli")]
 impl ClassMistake {
     /// A mistake at a step.
     pub(crate) fn new(step: usize, mistake: &'static str) -> ClassMistake {
@@ -175,6 +176,7 @@ impl ClassRow {
     }
 
     /// Puts the wrong operations of a drawing in place of what its values let guess: each with its step, its mistake and what was done.
+    #[cfg(feature = "cli")]
     pub(crate) fn judge_drawing(&mut self, wrong: Vec<(ClassMistake, String)>) {
         let Some(found) = &mut self.found else { return };
         self.passed &= wrong.is_empty();

@@ -1,8 +1,10 @@
 // The drawing board's file, and the slots of its tools.
 import assert from "node:assert/strict";
 import test from "node:test";
+import { named, rubbed } from "../../web/page/board/entries.ts";
 import { drawingOf, drawingText, standing, type Entry } from "../../web/page/board/file.ts";
 import { begun, lacking, slotsOf, TOOLS } from "../../web/page/board/tools.ts";
+import type { Board } from "../../web/page/engine/types.ts";
 import { documentOf, hashOf, type Shared } from "../../web/page/state/address.ts";
 import { history } from "../../web/page/state/history.ts";
 
@@ -42,6 +44,26 @@ test("what is missing is asked for in order, and names that the board gives are 
   assert.equal(lacking("line", { ...entry, drawn: [1, 2, 30] }), undefined, "by eye");
   assert.equal(lacking("cross", filled("cross", { first: "r1", second: "r2" }))?.blank, "name");
   for (const tool of TOOLS) assert.notEqual(lacking(tool, begun(tool)), undefined, tool);
+});
+
+test("the rubber takes what hangs on a thing, and writes the rest again", () => {
+  const did: Entry[] = [{ lay_off: "b" }, { line: "r1" }, { line: "r0" }, { undo: 1 }, { line: "r2" }, { cross: "c" }, { compute: "x" }];
+  const needs = [[], [0], [0], [], [], [1, 4], []];
+  const thing = (name: string, entry: number, sheet = "velocity"): object => ({ name, sheet, entry });
+  const board = { things: [thing("b", 9, "acceleration"), thing("b", 0), thing("r1", 1), thing("r2", 4), thing("c", 5)], did: needs.map((each) => ({ needs: each })) } as unknown as Board;
+  assert.deepEqual(rubbed({ rub: "r1", on: "velocity" }, did, board), [{ undo: 4 }, { line: "r2" }, { compute: "x" }]);
+  assert.deepEqual(rubbed({ rub: "b", on: "velocity" }, did, board), [{ undo: 5 }, { line: "r2" }, { compute: "x" }]);
+  assert.equal(rubbed({ rub: "p", on: "velocity" }, did, board), null);
+  assert.deepEqual(filled("rub", { name: "velocity/b" }), { rub: "b", on: "velocity" });
+});
+
+test("the board names lines and what is measured, and nothing else", () => {
+  const board = { free: { line: "r3", point: "h1", number: "m1" }, numbers: [{ name: "bc" }] } as unknown as Board;
+  assert.equal(named("line", { line: "" }, board)["line"], "r3");
+  assert.equal(named("line", { line: "k" }, board)["line"], "k");
+  assert.equal(named("measure", { measure: "", from: "p", to: "n_bC" }, board)["measure"], "pn_bC");
+  assert.equal(named("measure", { measure: "", from: "b", to: "c" }, board)["measure"], "m1", "bc is there already");
+  assert.equal(named("cross", { cross: "" }, board)["cross"], "");
 });
 
 test("undo of the page leaves the drawing of the same scene as it is, and brings that of another back", () => {

@@ -190,7 +190,7 @@ fn a_velocity_plan_by_mouse() {
     // The rubber takes a thing with what hangs on it: r1, c and the measure; r2 and b stay.
     let mut hand = Hand { bench: &mut bench, is_finger: false, gestures: 0 };
     hand.tool("rub");
-    bench.choose("#board select[data-blank=name]", "r1");
+    bench.choose("#board select[data-blank=name]", "Velocity: line r1");
     bench.click("#board .strip .main");
     bench.settle();
     let known = known(&mut bench);
@@ -252,11 +252,11 @@ fn a_velocity_plan_by_keys_alone() {
     // Goes on with N until it is heard what is possible there.
     let go_to = |bench: &mut Bench, press: &mut dyn FnMut(&mut Bench, &str), words: &str| {
         for _ in 0..8 {
-            press(bench, "n");
             let spoken = bench.text("document.querySelector('#spoken').textContent");
             if spoken == words || spoken.ends_with(&format!(" {words}")) {
                 return press(bench, "Enter");
             }
+            press(bench, "n");
         }
         panic!("no {words}: {}", bench.text("document.querySelector('#spoken').textContent"));
     };

@@ -17,6 +17,12 @@ const ALL = 1e4;
 
 const WAYS: Record<string, Place> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
+/** Points that lie apart: of several at one place, as images of the ground, the first. */
+function apart<Found extends { snap: Snapped }>(all: Found[]): Found[] {
+  const isSame = (a: Place, b: Place): boolean => Math.hypot(a[0] - b[0], a[1] - b[1]) < 1e-6;
+  return all.filter(({ snap }, index) => !all.slice(0, index).some((other) => isSame(other.snap.at, snap.at)));
+}
+
 /** `toStrip` goes to what is written next of the entry under way, if it is not pointed at. */
 export function keys(app: App, model: Model, stages: readonly Stage[], toStrip: () => void): void {
   /** What N goes through, with the entry for which it was asked. */
@@ -42,13 +48,15 @@ export function keys(app: App, model: Model, stages: readonly Stage[], toStrip: 
     return [...there.filter(({ sheet }) => sheet === on), ...there.filter(({ sheet }) => sheet !== on)];
   }
 
-  async function next(stage: Stage, by: number): Promise<void> {
+  /** Goes on by one; `before` is said first. */
+  async function next(stage: Stage, by: number, before = ""): Promise<void> {
     const of = `${JSON.stringify(model.has.value)} ${model.drawing().did.length}`;
     if (round.of !== of) {
       const found = await Promise.all(inOrder(stage).map(async (each) => (await snaps(app, model, each, each.cursor ?? middle(each), ALL)).map((snap) => ({ stage: each, snap }))));
-      round = { of, all: found.flat(), at: by > 0 ? -1 : 0 };
+      const isPoint = ["point", "scheme"].includes(lacking(model.tool.value, model.has.value)?.takes ?? "");
+      round = { of, all: isPoint ? found.flatMap(apart) : found.flat(), at: by > 0 ? -1 : 0 };
     }
-    if (round.all.length === 0) return app.speak(say("nothing_here"));
+    if (round.all.length === 0) return app.speak([before, say("nothing_here")].filter(Boolean).join(". "));
     round.at = (round.at + by + round.all.length) % round.all.length;
     const { stage: on, snap } = round.all[round.at]!;
     if (on !== stage) {
@@ -58,7 +66,15 @@ export function keys(app: App, model: Model, stages: readonly Stage[], toStrip: 
     }
     put(on, snap.at);
     on.aim(snap);
-    app.speak(on === stage ? snap.words : `${called(on.sheet, "short")}: ${snap.words}`);
+    app.speak([before, on === stage ? snap.words : `${called(on.sheet, "short")}: ${snap.words}`].filter(Boolean).join(". "));
+  }
+
+  /** Goes on to what comes next of the entry: it is written, or pointed at. */
+  function goOn(stage: Stage, before: string): Promise<void> | undefined {
+    toStrip();
+    if (document.activeElement === stage.over) return next(stage, 1, before);
+    app.speak(before);
+    return undefined;
   }
 
   async function press(stage: Stage): Promise<void> {
@@ -68,8 +84,7 @@ export function keys(app: App, model: Model, stages: readonly Stage[], toStrip: 
     round = { of: "", all: [], at: -1 };
     stage.aim(null);
     if (snap === undefined) return app.speak(say("nothing_here"));
-    app.speak(snap.words);
-    if (!(await model.take(snap))) toStrip();
+    if (!(await model.take(snap))) await goOn(stage, snap.words);
   }
 
   async function moved(stage: Stage, to: Place): Promise<void> {
@@ -106,8 +121,7 @@ export function keys(app: App, model: Model, stages: readonly Stage[], toStrip: 
     else if (key === "Backspace" || key === "Delete") void model.inTurn(model.undo);
     else if (tool !== undefined) {
       model.choose(tool);
-      app.speak(`${say(`tool_${tool}`)}. ${say(`how_${tool}`)}`);
-      toStrip();
+      void model.inTurn(() => goOn(stage, say(`tool_${tool}`)));
     } else if (/^[1-9]$/.test(key) && stages[Number(key) - 1] !== undefined) {
       const other = stages[Number(key) - 1]!;
       if (model.alone.value !== "") model.alone.set(other.sheet);

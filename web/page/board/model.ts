@@ -7,7 +7,8 @@ import { newest } from "../state/newest.ts";
 import { signal, type Signal } from "../state/signal.ts";
 import type { BoardUse } from "../state/address.ts";
 import { drawingOf, drawingText, standing, type Drawing, type Entry } from "./file.ts";
-import { begun, lacking, slotsOf, type Tool } from "./tools.ts";
+import { named, rubbed } from "./entries.ts";
+import { begun, lacking, type Tool } from "./tools.ts";
 import type { Board, Ghost, Snapped } from "../engine/types.ts";
 import { say } from "./words.ts";
 
@@ -77,8 +78,8 @@ export function model(app: App): Model {
   const canRedo = signal(false);
   const until = signal<number | null>(null);
   const looked = signal<string | null>(null);
-  /** What was undone last, the last of it at the end; anything else that is written clears it. */
   const replaced = signal<string | null>(null);
+  /** What was undone last, the last of it at the end; anything else that is written clears it. */
   let undone: Entry[] = [];
   let opened = performance.now();
   let turn: Promise<unknown> = Promise.resolve();
@@ -113,6 +114,8 @@ export function model(app: App): Model {
     try {
       const found = await app.engine.board(scene(), of);
       show(of === "" ? await app.engine.board(scene(), begunWith(found.drawing)) : found);
+      // Of a file that somebody brings: what is beyond stands there, and is not drawn.
+      if (found.refused !== null) says.set({ text: `${found.refused.entry + 1}: ${found.refused.message}`, isBad: true });
     } catch (refused) {
       says.set({ text: said(refused), isBad: true });
     }
@@ -140,40 +143,16 @@ export function model(app: App): Model {
     }
   }
 
-  /** The entry with the names that the board gives. */
-  function named(entry: Entry): Entry {
-    const of = tool.value;
-    const free = known.value?.free;
-    const slot = slotsOf(of, entry).find(({ blank }) => blank === "name");
-    if (slot === undefined || free === undefined || slot.get(entry).trim() !== "") return entry;
-    if (slot.takes === "line_name") return slot.set(entry, free.line);
-    if (of !== "measure") return entry;
-    const both = `${String(entry["from"])}${String(entry["to"])}`.replace(/[^A-Za-z0-9_]/g, "");
-    const isFree = both !== "" && !known.value!.numbers.some(({ name }) => name === both);
-    return slot.set(entry, isFree ? both : free.number);
-  }
-
-  /** Takes back what made a thing and all that hangs on it; what came after it and does not is written again. */
-  function rubbed(name: string): Entry[] | null {
-    const { did } = drawing();
-    const entries = known.value?.did ?? [];
-    const first = known.value?.things.find((thing) => thing.name === name && thing.entry !== null)?.entry;
-    if (first == null) return null;
-    const after = standing(did).filter((index) => index >= first);
-    const gone = new Set([first]);
-    for (const index of after) if (entries[index]?.needs.some((need) => gone.has(need))) gone.add(index);
-    const again = after.filter((index) => !gone.has(index)).map((index) => did[index]!);
-    return [{ undo: after.length }, ...again];
-  }
-
   async function write(): Promise<boolean> {
-    const entry = named(has.value);
+    const board = known.value;
+    if (board === null) return false;
+    const entry = named(tool.value, has.value, board);
     const slot = lacking(tool.value, entry);
     if (slot !== undefined) {
       says.set({ text: say(`wants_${slot.takes}`), isBad: true });
       return false;
     }
-    const entries = tool.value === "rub" ? rubbed(String(entry["rub"])) : [entry];
+    const entries = tool.value === "rub" ? rubbed(entry, drawing().did, board) : [entry];
     if (entries === null || !(await put(entries))) return false;
     undone = [];
     canRedo.set(false);
@@ -225,7 +204,7 @@ export function model(app: App): Model {
     async take(snap) {
       const entry = snap.entry as Entry;
       own.fill(entry);
-      if (!snap.is_whole || lacking(tool.value, named(entry)) !== undefined) return false;
+      if (!snap.is_whole || known.value === null || lacking(tool.value, named(tool.value, entry, known.value)) !== undefined) return false;
       return write();
     },
     write,

@@ -67,8 +67,9 @@ export function replay(app: App, model: Model): HTMLElement {
     model.until.set(null);
   };
   slider.oninput = () => {
+    const to = Number(slider.value);
     run(false);
-    go(Number(slider.value));
+    go(to);
   };
   model.until.on((until) => {
     if (until === null && isPlaying) run(false);

@@ -1,16 +1,12 @@
 /** The entry under way as a sentence with boxes: the calculator, and the whole board for who does not see. The canvas fills the same boxes. */
 import { element } from "../dom/element.ts";
 import { button } from "../dom/worded.ts";
-import { called } from "../sheets.ts";
 import { language } from "../words.ts";
+import { chipsOf, choicesOf, type Choice } from "./choices.ts";
 import type { Entry } from "./file.ts";
 import type { Model } from "./model.ts";
-import { HOWS, lacking, slotsOf, type Slot, type Takes } from "./tools.ts";
-import type { Board } from "../engine/types.ts";
+import { lacking, slotsOf, type Slot, type Takes } from "./tools.ts";
 import { say } from "./words.ts";
-
-/** What can be chosen: a name of the file and what is shown of it. */
-type Choice = [value: string, shown: string];
 
 /** Slots that are written into; the others are chosen from what there is. */
 const WRITTEN: readonly Takes[] = ["formula", "formulas", "point_name", "line_name", "number_name", "names", "angle", "base"];
@@ -37,30 +33,6 @@ export function strip(model: Model, back: () => void): Strip {
   let chosen = "";
   /** Whether keys came from a sheet, and go back to it. */
   let fromSheet = false;
-
-  function choicesOf(takes: Takes, known: Board, on: string): Choice[] {
-    const things = (kinds: string[], isThere: (sheet: string) => boolean): Choice[] => known.things.filter(({ kind, sheet }) => kinds.includes(kind) && isThere(sheet)).map(({ name, words }) => [name, words]);
-    switch (takes) {
-      case "sheet":
-        return known.sheets.map(({ sheet }) => [sheet, called(sheet, "name")]);
-      case "point":
-        return things(["point"], (sheet) => sheet === on);
-      case "scheme":
-        return things(["point"], (sheet) => sheet === "scheme");
-      case "line":
-        return things(["line"], () => true);
-      case "direction":
-        return things(["link", "guide", "line"], () => true);
-      case "made":
-        return known.things.filter(({ entry }) => entry !== null).map(({ name, words }) => [name, words]);
-      case "how":
-        return HOWS.map((how) => [how, say(how)]);
-      case "sense":
-        return [["", say("sense_none")], ["ccw", say("ccw")], ["cw", say("cw")]];
-      default:
-        return [];
-    }
-  }
 
   /** The sheet that the entry is drawn on: what it says, else the one that is looked at. */
   function onOf(entry: Entry): string {
@@ -170,7 +142,7 @@ export function strip(model: Model, back: () => void): Strip {
     // What is written in; what comes next, if that is written; else a formula goes on.
     const isIn = last !== undefined && document.activeElement === boxes.get(chosen);
     const slot = isIn ? last : next !== undefined && WRITTEN.includes(next.takes) ? next : last?.takes === "formula" ? last : undefined;
-    const all = slot === undefined ? [] : chipsOf(slot.takes, known, onOf(entry));
+    const all = slot === undefined ? [] : chipsOf(slot.takes, known, entry, onOf(entry));
     if (slot === undefined) return chips.replaceChildren();
     chips.setAttribute("aria-label", say(`slot_${slot.takes}`));
     chips.replaceChildren(...all.map(({ name, label, value }) => {
@@ -182,22 +154,6 @@ export function strip(model: Model, back: () => void): Strip {
       chip.onclick = () => chip.isConnected && void pick(slot, name);
       return chip;
     }));
-  }
-
-  function chipsOf(takes: Takes, known: Board, on: string): { name: string; label: string; value: string }[] {
-    // What was found last comes first.
-    if (takes === "formula" || takes === "formulas") return known.numbers.toSorted((a, b) => (b.entry ?? -1) - (a.entry ?? -1)).map(({ name, label, value, unit }) => ({ name, label, value: `${value} ${unit}`.trim() }));
-    const kind = takes === "point_name" ? "point" : takes === "number_name" || takes === "names" ? "number" : "";
-    const sheet = takes === "point_name" ? onOfName(on) : null;
-    const own = takes === "point_name" ? known.free.point : takes === "number_name" ? known.free.number : "";
-    const offered = known.names.filter((one) => one.kind === kind && !one.is_made && (sheet === null || one.sheet === sheet)).map(({ name, label }) => ({ name, label, value: "" }));
-    return own === "" || kind === "" ? offered : [...offered, { name: own, label: own, value: say("own") }];
-  }
-
-  /** A crossing is on the sheet of its lines. */
-  function onOfName(on: string): string {
-    const first = (model.has.value["of"] as string[] | undefined)?.[0];
-    return model.known.value?.things.find(({ kind, name }) => kind === "line" && name === first)?.sheet ?? on;
   }
 
   async function pick(slot: Slot, name: string): Promise<void> {

@@ -95,6 +95,15 @@ const TURNED: Slot[] = [at("turned", 0, "direction", "turned_from"), at("turned"
 const directionOf = (entry: Entry): Slot[] => [HOW, ...(howOf(entry) === "turned" ? TURNED : [howOf(entry) === "angle" ? ANGLE : REFERENCE])];
 const ON = key("on", "sheet");
 
+/** A thing by its sheet and its name: points of two plans have the same names. */
+export const madeOf = (sheet: string, name: string): string => `${sheet}/${name}`;
+const MADE: Slot = {
+  blank: "name",
+  takes: "made",
+  get: ({ on, rub }) => (typeof rub !== "string" || rub === "" ? "" : madeOf(String(on ?? ""), rub)),
+  set: (_, value) => (value === "" ? { rub: "" } : { rub: value.slice(value.indexOf("/") + 1), on: value.slice(0, value.indexOf("/")) }),
+};
+
 /** The slots of an entry, in the order in which they are filled; the name of what it makes comes last. */
 export function slotsOf(tool: Tool, entry: Entry): Slot[] {
   const direction = directionOf(entry);
@@ -118,7 +127,7 @@ export function slotsOf(tool: Tool, entry: Entry): Slot[] {
     case "solve":
       return [listed("solve", "names", ","), listed("equations", "formulas", "\n")];
     case "rub":
-      return [key("rub", "made", "name")];
+      return [MADE];
   }
 }
 
