@@ -268,7 +268,8 @@ def main():
     parser.add_argument("--prefixes", type=int, default=0, help="so many drawings of each scene are judged entry by entry, too")
     parser.add_argument("--garbled", type=int, default=0, help="so many drawings of each scene with parts lost or exchanged")
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--limits", action="store_true", help="exit 1 where first wrong < 95 %% (two mistakes: 90 %%), name < 90 %%, or an honest one is accused")
+    parser.add_argument("--limits", action="store_true",
+                        help="exit 1 where first wrong < 95 %% (two mistakes: 90 %%), name < 90 %%, or an honest one is accused")
     parser.add_argument("--self-test", action="store_true")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:

@@ -186,7 +186,8 @@ def third_class(d):
 def platform(d):
     for link in "123":
         d.crank(link)
-    sides = [Side("B1", "C1", "4", "S45", "7"), Side("B2", "C2", "5", "S45", "7"), Side("B1", "C1", "4", "S46", "7"), Side("B3", "C3", "6", "S46", "7")]
+    sides = [Side("B1", "C1", "4", "S45", "7"), Side("B2", "C2", "5", "S45", "7"),
+             Side("B1", "C1", "4", "S46", "7"), Side("B3", "C3", "6", "S46", "7")]
     d.special_points(sides)
     for sheet in PLANS:
         d.special(sheet, sides)

@@ -19,7 +19,13 @@ MOVES = 1e-6
 
 @dataclass
 class Sheet:
-    """A drawing and what is planted in it: the entry and the kind of each mistake, in the order of the entries."""
+    """A drawing and what is planted in it.
+
+    planted  the entry and the kind of each mistake, in the order of the entries
+    also     entries that may be called the first wrong one as well
+    moved    how far a value is moved, as a share of the largest of its kind
+    alone    how far each mistake is off when all before it is right, and what a hand may be off there
+    alike    names that the first one has besides"""
 
     case: object
     seed: str
