@@ -6,7 +6,6 @@ use super::says;
 use super::screen::{Screen, across, path};
 use super::snap::{Ghost, GhostKind};
 use super::table::{Made, Table};
-use super::writes::own_drawing;
 use crate::geometry::cross;
 use crate::sheet::Sheet;
 use schemars::JsonSchema;
@@ -70,7 +69,7 @@ impl Screen {
     /// The next entry of Kinegon's own construction of which the result is not there yet.
     fn next(&self, table: &Table<'_>) -> Option<(Entry, Made)> {
         let given = self.judge.given();
-        let own = HandDrawing::read(&own_drawing(given, &crate::sheet::PerSheet::default())).ok()?;
+        let own = self.own()?;
         // The own construction goes on with the hand's own things where they are there.
         let mut ahead = table.clone();
         for (index, entry) in own.did.iter().enumerate() {

@@ -6,6 +6,7 @@ use super::judge::{BoardError, Judge, JudgedDrawing, Verdict};
 use super::reads::reads;
 use super::shown::{Board, BoardEntry, BoardName, BoardRefused, BoardSheet, BoardThing, NUMBERS, NameKind, ThingKind};
 use super::table::{DrawnLine, Made, Table, things};
+use super::writes::own_drawing;
 use crate::drawing::{
     Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, RichText, SheetLabels, hand_sheet,
     hand_sheets,
@@ -14,8 +15,9 @@ use crate::format::html_text;
 use crate::geometry::Vector;
 use crate::quantity::{QuantityRequest, readable_names};
 use crate::scene::QuantityName;
-use crate::sheet::{PerSheet, Sheet};
+use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::words::Wording;
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 /// A judge with the papers on which drawings of its scene are shown.
@@ -24,13 +26,15 @@ pub struct Screen {
     /// The judge.
     pub judge: Judge,
     words: Wording,
+    /// Kinegon's own construction, once it is asked for.
+    own: OnceCell<Option<HandDrawing>>,
 }
 
 impl Screen {
     /// A board for the scene of a judge; what it says is in the language of `words`.
     #[must_use]
     pub fn new(judge: Judge, words: Wording) -> Screen {
-        Screen { judge, words }
+        Screen { judge, words, own: OnceCell::new() }
     }
 
     /// The text of an empty drawing of the scene.
@@ -54,6 +58,12 @@ impl Screen {
     #[must_use]
     pub fn words(&self) -> Wording {
         self.words
+    }
+
+    /// Kinegon's own construction as a drawing.
+    pub(super) fn own(&self) -> Option<&HandDrawing> {
+        let write = || HandDrawing::read(&own_drawing(self.judge.given(), &Scales::default())).ok();
+        self.own.get_or_init(write).as_ref()
     }
 
     fn shows(&self, sheet: Sheet) -> bool {

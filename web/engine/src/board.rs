@@ -58,6 +58,8 @@ pub struct Kept {
     scene: String,
     language: String,
     screen: Option<Screen>,
+    /// The last drawing as it was read: a hand that moves over a sheet asks for it again and again.
+    read: Option<(String, HandDrawing)>,
     judged: Option<(String, JudgedDrawing)>,
 }
 
@@ -82,31 +84,36 @@ impl Kept {
         desk: &mut Desk,
         text: &str,
         drawing: &str,
-    ) -> Result<(&Screen, HandDrawing, &JudgedDrawing), Refused> {
+    ) -> Result<(&Screen, &HandDrawing, &JudgedDrawing), Refused> {
+        // What is kept may be of another scene.
         self.screen(desk, text)?;
-        let read = self.drawing(drawing)?;
-        let screen = self.screen.as_ref().ok_or_else(|| Refused::whole(""))?;
         if self.judged.as_ref().is_none_or(|(before, _)| before != drawing) {
-            let judged = screen.judge.judge(&read).map_err(refused)?;
+            let (screen, read) = self.drawing(desk, text, drawing)?;
+            let judged = screen.judge.judge(read).map_err(refused)?;
             self.judged = Some((drawing.to_owned(), judged));
         }
-        let (_, judged) = self.judged.as_ref().ok_or_else(|| Refused::whole(""))?;
-        Ok((screen, read, judged))
+        self.drawing(desk, text, drawing)?;
+        let known = self.screen.as_ref().zip(self.read.as_ref()).zip(self.judged.as_ref());
+        known.map(|((screen, (_, read)), (_, judged))| (screen, read, judged)).ok_or_else(|| Refused::whole(""))
     }
 
-    /// The drawing of a text; of none an empty one.
-    fn drawing(&self, text: &str) -> Result<HandDrawing, Refused> {
-        let empty = self.screen.as_ref().map_or_else(String::new, Screen::empty);
-        let text = if text.trim().is_empty() { &empty } else { text };
-        HandDrawing::read(text).map_err(|error| Refused::of(text, error))
+    /// The screen of a scene, and the drawing of a text; of none an empty one.
+    fn drawing(&mut self, desk: &mut Desk, text: &str, drawing: &str) -> Result<(&Screen, &HandDrawing), Refused> {
+        self.screen(desk, text)?;
+        if self.read.as_ref().is_none_or(|(before, _)| before != drawing) {
+            let empty = self.screen.as_ref().map_or_else(String::new, Screen::empty);
+            let text = if drawing.trim().is_empty() { &empty } else { drawing };
+            let read = HandDrawing::read(text).map_err(|error| Refused::of(text, error))?;
+            self.read = Some((drawing.to_owned(), read));
+        }
+        let known = self.screen.as_ref().zip(self.read.as_ref().map(|(_, read)| read));
+        known.ok_or_else(|| Refused::whole(""))
     }
 
     pub fn board(&mut self, desk: &mut Desk, text: &str, drawing: &str) -> Result<Board, Refused> {
-        self.screen(desk, text)?;
-        let read = self.drawing(drawing)?;
-        let screen = self.screen(desk, text)?;
+        let (screen, read) = self.drawing(desk, text, drawing)?;
         let drawing = if drawing.trim().is_empty() { screen.empty() } else { drawing.to_owned() };
-        Ok(screen.board(drawing, &read))
+        Ok(screen.board(drawing, read))
     }
 
     pub fn snap(
@@ -115,9 +122,8 @@ impl Kept {
         [text, drawing]: [&str; 2],
         pressed: &Pressed,
     ) -> Result<Vec<Snapped>, Refused> {
-        self.screen(desk, text)?;
-        let read = self.drawing(drawing)?;
-        Ok(self.screen(desk, text)?.snapped(&read, pressed))
+        let (screen, read) = self.drawing(desk, text, drawing)?;
+        Ok(screen.snapped(read, pressed))
     }
 
     pub fn picture(
@@ -126,37 +132,33 @@ impl Kept {
         [text, drawing]: [&str; 2],
         ask: &BoardPictureAsk,
     ) -> Result<BoardPicture, Refused> {
-        self.screen(desk, text)?;
-        let read = self.drawing(drawing)?;
         // A drawing that cannot be judged is shown as it is.
         let judged =
             if ask.judged { self.judged(desk, text, drawing).ok().map(|(.., judged)| judged.clone()) } else { None };
-        let screen = self.screen(desk, text)?;
+        let (screen, read) = self.drawing(desk, text, drawing)?;
         let letters = ask.letters.unwrap_or(LETTERS).clamp(0.5, 50.0);
-        let picture = screen.picture(&read, ask.sheet, ask.until, letters, judged.as_ref());
+        let picture = screen.picture(read, ask.sheet, ask.until, letters, judged.as_ref());
         let picture = picture.ok_or_else(|| Refused::whole(kinegon::board::says::no_sheet()))?;
         Ok(BoardPicture { svg: picture.svg(), width: picture.width, height: picture.height })
     }
 
     pub fn judge(&mut self, desk: &mut Desk, text: &str, drawing: &str) -> Result<BoardJudged, Refused> {
         let (screen, read, judged) = self.judged(desk, text, drawing)?;
-        let DrawingResult { entries, first_wrong } = judged.result(&screen.judge, &read, &screen.words());
-        let is_complete = first_wrong.is_none() && screen.is_complete(&read);
+        let DrawingResult { entries, first_wrong } = judged.result(&screen.judge, read, &screen.words());
+        let is_complete = first_wrong.is_none() && screen.is_complete(read);
         Ok(BoardJudged { entries, first_wrong, is_complete })
     }
 
     pub fn hint(&mut self, desk: &mut Desk, [text, drawing]: [&str; 2], stage: f64) -> Result<BoardHint, Refused> {
         let stage = stage.clamp(1.0, f64::from(STAGES)) as u8;
         let judged = self.judged(desk, text, drawing).ok().map(|(.., judged)| judged.clone());
-        let read = self.drawing(drawing)?;
-        Ok(self.screen(desk, text)?.hint(&read, judged.as_ref(), stage))
+        let (screen, read) = self.drawing(desk, text, drawing)?;
+        Ok(screen.hint(read, judged.as_ref(), stage))
     }
 
     pub fn form(&mut self, desk: &mut Desk, text: &str, drawing: &str) -> Result<String, Refused> {
-        self.screen(desk, text)?;
-        let read = self.drawing(drawing)?;
-        let screen = self.screen(desk, text)?;
-        Ok(screen.judge.form(&read).json(&screen.judge.given().solution))
+        let (screen, read) = self.drawing(desk, text, drawing)?;
+        Ok(screen.judge.form(read).json(&screen.judge.given().solution))
     }
 
     pub fn own(&mut self, desk: &mut Desk, text: &str) -> Result<String, Refused> {
@@ -166,9 +168,8 @@ impl Kept {
     }
 
     pub fn sheets(&mut self, desk: &mut Desk, [text, drawing, name]: [&str; 3]) -> Result<Vec<u8>, Refused> {
-        self.screen(desk, text)?;
-        let read = self.drawing(drawing)?;
-        let sheets = self.screen(desk, text)?.sheets(&read, None, name);
+        let (screen, read) = self.drawing(desk, text, drawing)?;
+        let sheets = screen.sheets(read, None, name);
         pdf_pages(&sheets, None).map_err(|error| Refused::whole(error.to_string()))
     }
 }
