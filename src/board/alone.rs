@@ -214,7 +214,7 @@ impl Bench<'_> {
                 near(*found, right) || (stated && !is_scene && near(found.abs(), right.abs()))
             })
         });
-        if !is_right && !(is_typed && self.is_near_expected_number(&asked, own)) {
+        if !(is_right || is_typed && self.is_near_expected_number(&asked, own)) {
             return Found::Wrong(says::number_wrong(name));
         }
         Found::Right

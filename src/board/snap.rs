@@ -237,7 +237,7 @@ impl Press<'_> {
         let language = self.screen.language();
         let mut caught = Vec::new();
         let mut add = |name: String, words: String, ends: [[f64; 2]; 2]| {
-            let (distance, at) = self.from_segment(&ends);
+            let (distance, at) = self.segment_off(&ends);
             if distance <= self.pressed.reach {
                 let mut snapped = self.snapped(self.entry("along", self.along(&name)), words, at);
                 if how != "turned" {
@@ -278,7 +278,7 @@ impl Press<'_> {
     }
 
     /// How far a segment is from the press, and its nearest place.
-    fn from_segment(&self, [a, b]: &[[f64; 2]; 2]) -> (f64, [f64; 2]) {
+    fn segment_off(&self, [a, b]: &[[f64; 2]; 2]) -> (f64, [f64; 2]) {
         let (start, along) = (Vector::from(*a), Vector::from(*b) - Vector::from(*a));
         let press = Vector::from(self.pressed.at);
         let share = ((press - start).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
@@ -368,7 +368,7 @@ impl Press<'_> {
         });
         let lines = self.table.lines().filter(|(_, line)| line.sheet == sheet).map(|(name, line)| {
             let ends = across(line, &self.paper);
-            let (distance, at) = self.from_segment(&ends);
+            let (distance, at) = self.segment_off(&ends);
             let words = self.screen.language().says(&super::says::drawn_line(name));
             (distance, name, at, words, Ghost { kind: GhostKind::Line, path: path(&ends) })
         });

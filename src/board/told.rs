@@ -128,7 +128,7 @@ impl Direction {
             } else if mechanism.slider_ids().any(|id| mechanism.slider_name(id) == name) {
                 says::guide(name)
             } else if name.contains(',') {
-                name.replace(',', "").replace(' ', "").into()
+                name.replace([',', ' '], "").into()
             } else {
                 says::drawn_line(name)
             }

@@ -178,7 +178,7 @@ impl<'g> Writer<'g> {
         let turns = along.quarter_turns % 4;
         let sign = if turns < 2 { 1.0 } else { -1.0 };
         let json = match &along.reference {
-            Reference::Line(line) if turns % 2 == 0 => json!({ "parallel": reference(line) }),
+            Reference::Line(line) if turns.is_multiple_of(2) => json!({ "parallel": reference(line) }),
             Reference::Line(line) => json!({ "normal": reference(line) }),
             Reference::Angle { base, from, to } => {
                 json!({ "turned": [reference(from), reference(to)], "base": reference(base) })

@@ -150,21 +150,21 @@ impl Recipe {
             set(rows, spot.place(mechanism, GROUND).coords - start);
         }
         for (rows, span) in reaches.iter_mut().zip(&self.reaches) {
-            set(rows, span.vector(mechanism, &turn));
+            set(rows, span.vector(mechanism, turn));
         }
         for (rows, way) in guides.iter_mut().zip(&self.guides) {
             if let Some(way) = way {
-                set(rows, way.vector(mechanism, &turn));
+                set(rows, way.vector(mechanism, turn));
             }
         }
         for (rows, column) in columns[ZERO + 1..].iter_mut().zip(&self.columns) {
             let vector = match column {
-                Column::Member(sum) => quarter_turn(total(sum, mechanism, &turn)),
-                Column::Guide(way) => way.vector(mechanism, &turn),
+                Column::Member(sum) => quarter_turn(total(sum, mechanism, turn)),
+                Column::Guide(way) => way.vector(mechanism, turn),
             };
             set(rows, vector);
         }
-        self.vanishing.iter().all(|sum| total(sum, mechanism, &turn) == Vector::zeros())
+        self.vanishing.iter().all(|sum| total(sum, mechanism, turn) == Vector::zeros())
     }
 }
 

@@ -132,7 +132,7 @@ fn the_first_wrong_operation_is_named() {
 fn a_free_hand_may_err_as_hands_do() {
     let judge = judge(&read(FOUR_BAR));
     // Right: b at 120 mm along 150°, the ray through it normal to BC at 114.48°. A hand is 0.2 mm and 0.2° off, then 3 mm, then 3°.
-    let [x, y] = [120.0 * 150.0_f64.to_radians().cos(), 60.0];
+    let [x, y] = [120.0 * libm::cos(150.0_f64.to_radians()), 60.0];
     for (aside, turn, is_right) in [(0.2, 0.2, true), (3.0, 0.0, false), (0.0, 3.0, false)] {
         for stated in [true, false] {
             let mut entry = json!({ "line": "r1", "on": "velocity", "drawn": [x + aside, y, 114.48 + turn] });
