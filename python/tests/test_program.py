@@ -137,3 +137,21 @@ def test_importing_takes_no_time():
 
     own, bare = (min(seconds(code) for _ in range(5)) for code in ["import kinegon", "pass"])
     assert own - bare < 0.1
+
+
+def test_drawings(program, tmp_path):
+    scene, drawing = tmp_path / "scene.json", tmp_path / "drawing.json"
+    kinegon.Scene.kind("four-bar").save(scene)
+    solution = kinegon.Scene.read(scene).solve()
+    own = solution.drawing()
+    assert own.encode() == program("steps", scene, "--drawing")
+    assert solution.check(own).is_passed
+    wrong = json.loads(own)
+    ray = next(entry for entry in wrong["did"] if entry.get("line") == "r1")
+    ray["along"] = {"parallel": "B,C"}
+    drawing.write_text(json.dumps(wrong))
+    check = solution.check(wrong)
+    assert json.loads(program("check", scene, drawing, "--json", code=1)) == check.result
+    first = check.drawing["first_wrong"]
+    assert check.drawing["entries"][first]["mistake"] == "turned-ray" and not check.is_passed
+    assert str(check) == program("check", scene, drawing, code=1).decode()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING, Any, overload
 
 from . import _files, _kinegon
 from ._files import SheetBytes, SheetFormat, SheetText, Source
@@ -25,6 +25,8 @@ class Check:
         result, self.report, self.is_passed = solution.check(form, options)
         self.result: CheckResult = json.loads(result)
         """As ``kinegon check --json`` prints it."""
+        self.drawing: dict[str, Any] | None = json.loads(result).get("drawing")
+        """Of a drawing: the verdicts on its ``entries``, and ``first_wrong``, the index of the first wrong one; else None."""
 
     def feedback(self) -> str:
         """The page for the student, HTML, as ``kinegon check --feedback`` writes it."""

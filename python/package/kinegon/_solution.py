@@ -283,8 +283,8 @@ class Solution:
 
         Args:
             form: Values by names, counter-clockwise positive, as ``{"omega(4)": -0.474, "v(D).size": 71.2}``; or a
-                filled form: a dict, its text (JSON or CSV), its path. Or a drawing, likewise: then ``check.result["drawing"]``
-                has the verdicts on its operations, and ``first_wrong`` the index of the first wrong one.
+                filled form: a dict, its text (JSON or CSV), its path. Or a drawing, likewise: then ``check.drawing`` has
+                the verdicts on its operations.
             marks: A marking scheme, as for ``kinegon check --marks``.
             pencil_mm: Limit of the hand's errors in mm of paper; without both limits what the scatter of the values shows.
             pencil_degrees: The same in degrees.
