@@ -179,6 +179,9 @@ impl Bench<'_> {
     /// Of the hand's own things on which a wrong entry hangs, the first with which it would be right, were that something that has a
     /// name, as a vector of the plan or a known number, and what that is. Where there is only one, it is that one.
     fn culprit(&self, entry: &Entry, made: &Made) -> Option<(usize, Option<Made>)> {
+        if self.has_two_exchanged(entry, made) {
+            return None;
+        }
         let hangs_on = self.chain(entry);
         let suspects: Vec<usize> = hangs_on.iter().copied().filter(|index| self.is_unsure(*index)).collect();
         let mended = |suspect: usize| {
@@ -204,6 +207,25 @@ impl Bench<'_> {
         found.or_else(|| {
             let is_number = !matches!(entry, Entry::Line(_) | Entry::Join(_)) && self.has_right_direction(entry, made);
             suspects.first().filter(|_| is_number).map(|first| (*first, None))
+        })
+    }
+
+    /// Whether a number would be right with two of its formula's names exchanged, as in a ratio that was turned over.
+    fn has_two_exchanged(&self, entry: &Entry, made: &Made) -> bool {
+        let Entry::Compute(compute) = entry else { return false };
+        let Some(formula) = compute.by.as_ref().filter(|by| by.names().len() < MOST_NAMES) else { return false };
+        let names = formula.names();
+        let pairs =
+            names.iter().enumerate().flat_map(|(at, one)| names[at + 1..].iter().map(move |other| [*one, *other]));
+        pairs.filter(|[one, other]| one != other).any(|[one, other]| {
+            let exchanged = |name: &str| match name {
+                _ if name == one => Formula::read(other).ok(),
+                _ if name == other => Formula::read(one).ok(),
+                _ => None,
+            };
+            let exchanged = Compute { by: Some(formula.with(&exchanged)), ..compute.clone() };
+            let again = self.right[0].carried_out_again(&Entry::Compute(exchanged));
+            again.is_ok_and(|again| self.is_meant(&again, made))
         })
     }
 

@@ -144,7 +144,10 @@ impl Slip<'_, '_> {
         let symbol = |name: &str| Blank::Symbol(name.to_owned());
         let ends = || [self.start_of(name), Blank::from(name)];
         let length = || formula.names().into_iter().find(|name| name.starts_with("L(")).map_or("".into(), symbol);
-        let omegas: Vec<String> = mechanism.links().map(|(_, body)| format!("omega({})", body.name)).collect();
+        // Of links that turn together the one whose rate was found is told.
+        let found = self.table.numbers().map(|(name, _)| name.to_owned()).filter(|name| name.starts_with("omega("));
+        let omegas: Vec<String> =
+            found.chain(mechanism.links().map(|(_, body)| format!("omega({})", body.name))).collect();
         for own in formula.names() {
             let Some(quantity) = QuantityName::parse(own) else { continue };
             let Ok(now) = self.table.number(own) else { continue };

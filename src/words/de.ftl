@@ -1950,6 +1950,7 @@ page-photo-count_off = {$count} falsch
 page-photo-count_open = {$count} mit diesem Bild nicht zu entscheiden
 page-photo-count_out = {$count} ausgelassen
 page-photo-see_check = Zur Prüfung
+page-photo-on_board = Mit ihnen am Zeichenbrett weiterzeichnen
 page-photo-other_plan = {$plan} fotografieren…
 page-photo-points = Punkte im {$plan}
 page-photo-state_none = nicht markiert

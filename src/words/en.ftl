@@ -1983,6 +1983,7 @@ page-photo-count_off = {$count} off
 page-photo-count_open = {$count} cannot be told from this picture
 page-photo-count_out = {$count} left out
 page-photo-see_check = See the check
+page-photo-on_board = Go on with them on the board
 page-photo-other_plan = Photograph the {$plan}…
 page-photo-points = Points of the {$plan}
 page-photo-state_none = not marked

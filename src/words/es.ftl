@@ -1948,6 +1948,7 @@ page-photo-count_off = {$count} mal
 page-photo-count_open = {$count} no se pueden saber con esta imagen
 page-photo-count_out = {$count} omitidos
 page-photo-see_check = Ver la comprobación
+page-photo-on_board = Seguir con ellos en el tablero
 page-photo-other_plan = Fotografiar el {$plan}…
 page-photo-points = Puntos del {$plan}
 page-photo-state_none = sin marcar

@@ -1950,6 +1950,7 @@ page-photo-count_off = fora: {$count}
 page-photo-count_open = não se pode saber com esta foto: {$count}
 page-photo-count_out = omitidos: {$count}
 page-photo-see_check = Ver a conferência
+page-photo-on_board = Continuar com eles na prancheta
 page-photo-other_plan = Fotografar o {$plan}…
 page-photo-points = Pontos do {$plan}
 page-photo-state_none = não marcado

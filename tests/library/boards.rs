@@ -128,6 +128,25 @@ fn the_first_wrong_operation_is_named() {
     }
 }
 
+/// ω₃ : ω₁ = AP : DP, where P, the crossing of coupler and frame, is the instant centre of crank and rocker (Aronhold 1872, Kennedy 1886).
+/// The ratio turned over is wrong where it stands, and not the right crossing before it.
+#[test]
+fn a_ratio_turned_over_is_wrong_where_it_stands() {
+    let by_centre = |ratio: &str| {
+        json!([
+            { "join": "l1", "on": "scheme", "points": ["A", "D"] },
+            { "join": "l2", "on": "scheme", "points": ["B", "C"] },
+            { "cross": "P", "of": ["l1", "l2"] },
+            { "measure": "ap", "on": "scheme", "from": "A", "to": "P" },
+            { "measure": "dp", "on": "scheme", "from": "D", "to": "P" },
+            { "compute": "omega(3)", "as": format!("omega(1) * {ratio}"), "sense": "ccw" },
+        ])
+    };
+    let judge = judge(&read(FOUR_BAR));
+    assert_eq!(judged(&judge, &by_centre("ap / dp")).first_wrong(), None);
+    assert_eq!(judged(&judge, &by_centre("dp / ap")).first_wrong(), Some(5));
+}
+
 #[test]
 fn a_free_hand_may_err_as_hands_do() {
     let judge = judge(&read(FOUR_BAR));

@@ -176,6 +176,7 @@ fn points_of_a_photograph_are_checked() {
     assert!(!bench.text("document.querySelector('#panel-check .counts').textContent").contains('✗'));
     assert!(said(&mut bench).starts_with("All points are marked"), "{}", said(&mut bench));
     bench.picture("photo-marked");
+    on_the_board(&mut bench, &taken);
     // A point that is elsewhere is off, there and in the check; undo brings it back.
     let good = bench.text("kinegon.history.now.value.form");
     bench.click("#photo .chips [data-key='velocity/c']");
@@ -193,6 +194,37 @@ fn points_of_a_photograph_are_checked() {
     bench.click("#photo-close");
     assert_eq!(bench.value("document.querySelector('#photo').hidden"), true);
     bench.assert_quiet();
+}
+
+/// The points go on as marks on the board, where they are on the paper, and are right there.
+fn on_the_board(bench: &mut Bench, taken: &Taken) {
+    bench.press_named("#photo .actions", "Go on with them on the board");
+    bench.until("document.querySelector('#board')?.hidden === false");
+    let text = bench.text("kinegon.history.now.value.drawing");
+    let drawing: Value = serde_json::from_str(&text).expect("a drawing is JSON");
+    let judged =
+        bench.value("kinegon.engine.board_judge(kinegon.app.solved.value.good, kinegon.history.now.value.drawing)");
+    assert_eq!(judged["first_wrong"], Value::Null, "{judged}");
+    for (plan, sheet, scale) in [(1, "velocity", "mu_v"), (2, "acceleration", "mu_a")] {
+        let panel = if plan == 1 { Sheet::Velocity } else { Sheet::Acceleration };
+        let printed = taken.code.panels.iter().find(|p| p.panel == panel).expect("the plan").mu;
+        for name in ["b", "c"] {
+            let mut marks = drawing["did"].as_array().expect("entries").iter();
+            let mark = marks.find(|entry| entry["mark"] == name && entry["on"] == sheet).expect("a mark");
+            let (_, at) = taken.place(bench, plan, name);
+            let ratio = printed / drawing[scale].as_f64().expect("a scale");
+            assert!(distance(at.map(|mm| mm * ratio), &mark["drawn"]) < ARROW, "{sheet} {name}: {at:?} {mark}");
+        }
+    }
+    bench.picture("photo-on-the-board");
+    // A second time nothing comes twice.
+    bench.press("Escape");
+    bench.until("document.querySelector('#board').hidden");
+    bench.press_named("#photo .actions", "Go on with them on the board");
+    bench.until("!document.querySelector('#board').hidden");
+    assert_eq!(bench.text("kinegon.history.now.value.drawing"), text);
+    bench.press("Escape");
+    bench.until("document.querySelector('#board').hidden");
 }
 
 #[test]

@@ -7,6 +7,10 @@ export interface Drawing {
   readonly kinegon_drawing: 1;
   readonly name?: string;
   readonly exercise?: string;
+  /** Scales of the sheets, in units per mm. */
+  readonly mu_l?: number;
+  readonly mu_v?: number;
+  readonly mu_a?: number;
   /** What the hand is helped with. */
   readonly snap?: string;
   /** How many hints were opened. */

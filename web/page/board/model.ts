@@ -1,11 +1,11 @@
 /** What the board knows: the drawing, the entry under way, what the engine says of both. The drawing's text is the only state that is kept. */
 import type { App } from "../app.ts";
-import { formFile } from "../panels/check/form.ts";
 import { said } from "../refused.ts";
 import type { Sheet } from "../sheets.ts";
 import { newest } from "../state/newest.ts";
 import { signal, type Signal } from "../state/signal.ts";
 import type { BoardUse } from "../state/address.ts";
+import { begunWith, useOf } from "./begun.ts";
 import { drawingOf, drawingText, standing, type Drawing, type Entry } from "./file.ts";
 import { named, rubbed } from "./entries.ts";
 import { begun, lacking, type Tool } from "./tools.ts";
@@ -65,9 +65,6 @@ export interface Model {
 /** What a point is called that has no name yet. */
 const NAMELESS = "?";
 
-/** How the board is used where no link says it. */
-const USUAL: BoardUse = { mode: "practice", snap: "all", at_once: false };
-
 export function model(app: App): Model {
   const known = signal<Board | null>(null);
   const tool = signal<Tool>("lay_off");
@@ -87,19 +84,12 @@ export function model(app: App): Model {
   const scene = (): string => app.solved.value.good;
   const text = (): string => app.history.now.value.drawing ?? "";
   const drawing = (): Drawing => drawingOf(known.value?.drawing ?? text()) ?? { kinegon_drawing: 1, did: [] };
-  const use = (): BoardUse => app.board.value ?? USUAL;
+  const use = (): BoardUse => useOf(app);
 
   function show(next: Board): void {
     known.set(next);
     canUndo.set(standing(drawing().did).length > 0);
     canRedo.set(undone.length > 0);
-  }
-
-  /** An empty drawing with its exercise, whose it is, and what the hand is helped with. */
-  function begunWith(empty: string): string {
-    const { exercise, name } = formFile(app.history.now.value.form) ?? {};
-    const { did = [], ...head } = drawingOf(empty) ?? { kinegon_drawing: 1 as const };
-    return drawingText({ ...head, ...(name && { name }), ...(exercise && { exercise }), snap: use().snap, did });
   }
 
   /** Another drawing comes in place of this one, which can be had back. */
@@ -113,7 +103,7 @@ export function model(app: App): Model {
     if (scene() === "") return;
     try {
       const found = await app.engine.board(scene(), of);
-      show(of === "" ? await app.engine.board(scene(), begunWith(found.drawing)) : found);
+      show(of === "" ? await app.engine.board(scene(), begunWith(app, found.drawing)) : found);
       // Of a file that somebody brings: what is beyond stands there, and is not drawn.
       if (found.refused !== null) says.set({ text: `${found.refused.entry + 1}: ${found.refused.message}`, isBad: true });
     } catch (refused) {

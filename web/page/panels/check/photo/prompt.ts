@@ -22,6 +22,8 @@ export interface Acts {
   leaveOut(one: Item): void;
   remove(one: Item): void;
   toResult(): void;
+  /** Takes the points to the drawing board. */
+  toBoard(): void;
   /** Asks for another photograph. */
   another(): void;
 }
@@ -80,5 +82,5 @@ function finished(own: Session, form: FormOf, acts: Acts, note: string): Prompt 
   const missing = PLANS.find((plan) => !here.has(plan) && (points?.[plan]?.length ?? 0) > 1 && marked?.[plan] === undefined);
   const further = missing === undefined ? [] : [button(say("other_plan", { plan: called(missing, "name") }), acts.another)];
   const html = say(states.includes("out") ? "none_left" : "all_marked");
-  return { html, how: note !== "" ? note : counts.join(", "), actions: [...further, button(say("see_check"), acts.toResult, true)] };
+  return { html, how: note !== "" ? note : counts.join(", "), actions: [...further, button(say("on_board"), acts.toBoard), button(say("see_check"), acts.toResult, true)] };
 }

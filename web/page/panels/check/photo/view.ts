@@ -1,4 +1,5 @@
 import type { App } from "../../../app.ts";
+import { goOnWith } from "../../../board/begun.ts";
 import { element } from "../../../dom/element.ts";
 import { byId } from "../../../dom/find.ts";
 import type { Photo, Refused, Tapped } from "../../../engine/types.ts";
@@ -11,7 +12,7 @@ import { aiming } from "./aiming.ts";
 import { frame } from "./frame.ts";
 import { loupe } from "./loupe.ts";
 import { type Photograph, photograph, turned } from "./picture.ts";
-import { keyOf } from "./placing.ts";
+import { keyOf, placesOn } from "./placing.ts";
 import { plain, pointsBar } from "./points_bar.ts";
 import { button, millimetres, type Prompt, prompt } from "./prompt.ts";
 import { refusedBy, type Why } from "./refusals.ts";
@@ -75,7 +76,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
   });
   byId("main").append(shell.root);
   const { root } = shell;
-  const acts = { choose, accept, leaveOut, remove, toResult, another: () => void askedFor("image/*").then((file) => void (file !== null && open(file))) };
+  const acts = { choose, accept, leaveOut, remove, toResult, toBoard, another: () => void askedFor("image/*").then((file) => void (file !== null && open(file))) };
   const isNarrow = (): boolean => window.matchMedia(NARROW).matches;
   /** How far a tap reaches for a crossing, in mm. */
   const reach = (): number => Math.min(FAR, Math.max(NEAR, FINGER / (table.view.now.value.scale * (own?.photo.per_mm ?? 1))));
@@ -357,6 +358,16 @@ export function photoView(app: App, form: FormOf): PhotoView {
   function toResult(): void {
     if (isNarrow()) hide();
     form.toResult();
+  }
+
+  function toBoard(): void {
+    if (own === null) return;
+    const file = form.present();
+    const plans = own.photo.plans.map((plan) => {
+      const points = Object.entries(placesOn(file, plan)).filter(([name]) => name !== plan.points[0]?.name);
+      return { sheet: plan.plan, mu: plan.mu, points: points.map(([name, [x, y]]): [string, number, number] => [name, x, y]) };
+    });
+    void goOnWith(app, plans);
   }
 
   app.shown.on((panel) => panel !== "check" && hide());
