@@ -176,7 +176,7 @@ fn points_of_a_photograph_are_checked() {
     assert!(!bench.text("document.querySelector('#panel-check .counts').textContent").contains('✗'));
     assert!(said(&mut bench).starts_with("All points are marked"), "{}", said(&mut bench));
     bench.picture("photo-marked");
-    on_the_board(&mut bench, &taken);
+    on_the_board(&mut bench, taken);
     // A point that is elsewhere is off, there and in the check; undo brings it back.
     let good = bench.text("kinegon.history.now.value.form");
     bench.click("#photo .chips [data-key='velocity/c']");
