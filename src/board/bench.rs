@@ -138,6 +138,11 @@ impl<'j> Bench<'j> {
         let entry = meant.as_ref().unwrap_or(entry);
         let is_typed = is_typed || self.reads_typed(entry);
         let is_sure = self.is_sure(entry, made);
+        // What was measured between other points than its name says is in the end what its name says.
+        let named = match (entry, made) {
+            (Entry::Measure(_), Made::Numbers(all)) => all.first().and_then(|(name, _)| self.meaning(entry, name)),
+            _ => None,
+        };
         let mut is_own = false;
         for table in &mut self.right {
             let alone = table.carry_out(entry).unwrap_or_else(|_| made.clone());
@@ -149,7 +154,8 @@ impl<'j> Bench<'j> {
                 }
                 Made::Numbers(all) => {
                     let right = all.into_iter().map(|(name, number)| {
-                        let right = table.given.number(&name).or_else(|| written_together(table.given, entry, &name));
+                        let asked = named.as_ref().unwrap_or(&name);
+                        let right = table.given.number(asked).or_else(|| written_together(table.given, entry, &name));
                         is_own |= right.is_none();
                         (name, right.unwrap_or(number))
                     });

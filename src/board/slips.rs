@@ -143,7 +143,12 @@ impl Slip<'_, '_> {
         let mechanism = self.table.given.mechanism();
         let symbol = |name: &str| Blank::Symbol(name.to_owned());
         let ends = || [self.start_of(name), Blank::from(name)];
-        let length = || formula.names().into_iter().find(|name| name.starts_with("L(")).map_or("".into(), symbol);
+        // A length may stand there as a number; in a Coriolis acceleration a velocity stands in its place.
+        let names = formula.names();
+        let a_length = names.iter().find(|name| name.starts_with("L("));
+        let length = || symbol(a_length.copied().unwrap_or("L"));
+        let velocity = names.iter().find(|name| !super::bench::turns(name));
+        let factor = || symbol(a_length.or(velocity).copied().unwrap_or("L"));
         // Of links that turn together the one whose rate was found is told.
         let found = self.table.numbers().map(|(name, _)| name.to_owned()).filter(|name| name.starts_with("omega("));
         let omegas: Vec<String> =
@@ -163,7 +168,7 @@ impl Slip<'_, '_> {
                     });
                     if let Some(other) = other {
                         let [from, to] = ends();
-                        return Some(tell::omega_of_another_link(from, to, symbol(other), length(), symbol(own)));
+                        return Some(tell::omega_of_another_link(from, to, symbol(other), factor(), symbol(own)));
                     }
                 }
                 Head::Velocity if quantity.arguments.len() == 1 => {
@@ -208,7 +213,7 @@ impl Slip<'_, '_> {
             let points = [mechanism.point(&ends[0])?, mechanism.point(&ends[1])?];
             mechanism.links().find(|(_, body)| points.iter().all(|point| body.points.contains(point)))
         });
-        link.map_or("".into(), |(_, body)| Blank::Symbol(format!("omega({})", body.name)))
+        Blank::Symbol(link.map_or_else(|| "ω".to_owned(), |(_, body)| format!("omega({})", body.name)))
     }
 
     /// A length or a segment that stands for another, which would be right.
