@@ -2,6 +2,7 @@
 
 use super::direction::Direction;
 use super::formula::Formula;
+use crate::check;
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
 use crate::sheet::{Scales, Sheet};
 use crate::text::Untrusted;
@@ -399,6 +400,11 @@ impl HandDrawing {
         if drawing.did.len() > MOST_ENTRIES {
             let message = super::says::too_many(MOST_ENTRIES, drawing.did.len());
             return Err(crate::scene::SceneTree::error(text, &["did"], message, None));
+        }
+        if let Some((sheet, _)) = drawing.mu.given().find(|(_, mu)| !(mu.is_finite() && *mu > 0.0)) {
+            let key = sheet.facts().scale_key;
+            let hint = check::says::scale_is_positive();
+            return Err(crate::scene::SceneTree::error(text, &[key], check::says::no_scale(key), Some(hint)));
         }
         Ok(drawing)
     }

@@ -107,8 +107,7 @@ impl Judge {
     /// The scales of a drawing's sheets, in units of the scene per millimetre.
     #[must_use]
     pub fn scales(&self, drawing: &HandDrawing) -> PerSheet<f64> {
-        let stated = |sheet: Sheet| drawing.mu[sheet].filter(|mu| mu.is_finite() && *mu > 0.0);
-        PerSheet::from_fn(|sheet| stated(sheet).unwrap_or(self.scales[sheet]))
+        PerSheet::from_fn(|sheet| drawing.mu[sheet].unwrap_or(self.scales[sheet]))
     }
 
     /// The sheets as the hand drew them, up to the first entry that cannot be carried out.

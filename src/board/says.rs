@@ -65,6 +65,7 @@ messages! { "board":
     unused;
     undone;
     all_right;
+    nothing_drawn;
     first_wrong(number);
     should(what);
 

@@ -187,7 +187,9 @@ impl DrawingResult {
             }
             lines.extend(entry.should.iter().map(|should| format!("{indent}{}", language.says(&says::should(should)))));
         }
-        let first = self.first_wrong.map_or_else(says::all_right, |index| says::first_wrong(index + 1));
+        let is_empty = self.entries.iter().all(|entry| matches!(entry.verdict, VerdictName::Undone));
+        let right = if is_empty { says::nothing_drawn } else { says::all_right };
+        let first = self.first_wrong.map_or_else(right, |index| says::first_wrong(index + 1));
         lines.push(language.says(&first));
         lines.join("\n") + "\n"
     }

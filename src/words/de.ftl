@@ -1233,6 +1233,7 @@ board-follows = folgt daraus
 board-unused = ungenutzt
 board-undone = zurückgenommen
 board-all_right = Jeder Schritt ist richtig.
+board-nothing_drawn = Noch ist nichts gezeichnet.
 board-first_wrong = Der erste falsche Schritt ist Nummer {$number}.
 board-should = Richtig wäre: {$what}
 board-no_sheet = die Szene hat keinen solchen Plan

@@ -1266,6 +1266,7 @@ board-follows = follows from it
 board-unused = unused
 board-undone = taken back
 board-all_right = Every operation is right.
+board-nothing_drawn = Nothing is drawn yet.
 board-first_wrong = The first wrong operation is number {$number}.
 board-should = It should be: {$what}
 board-no_sheet = the scene has no such plan

@@ -1231,6 +1231,7 @@ board-follows = se deriva de ello
 board-unused = sin uso
 board-undone = retirado
 board-all_right = Todas las operaciones son correctas.
+board-nothing_drawn = Todavía no hay nada dibujado.
 board-first_wrong = La primera operación incorrecta es la número {$number}.
 board-should = Debería ser: {$what}
 board-no_sheet = la escena no tiene ese plano

@@ -1233,6 +1233,7 @@ board-follows = decorre disso
 board-unused = sem uso
 board-undone = desfeito
 board-all_right = Todas as operações estão certas.
+board-nothing_drawn = Ainda não há nada desenhado.
 board-first_wrong = A primeira operação errada é a número {$number}.
 board-should = Deveria ser: {$what}
 board-no_sheet = a cena não tem esse plano

@@ -186,6 +186,12 @@ fn what_cannot_be_carried_out_is_refused_with_its_entry() {
         let error = judge.judge(&drawing(&json!([{ "undo": 1 }, entry.clone()]))).expect_err("it is refused");
         assert_eq!((error.entry, error.message.to_string()), (1, message.to_owned()), "{entry}");
     }
+    // A scale is a length of nature for a millimetre.
+    for mu in ["0", "-5"] {
+        let text = format!(r#"{{ "kinegon_drawing": 1, "mu_v": {mu}, "did": [] }}"#);
+        let error = HandDrawing::read(&text).expect_err(&text);
+        assert!(error.to_string().contains("mu_v is no scale"), "{error}");
+    }
 }
 
 #[test]
