@@ -249,9 +249,14 @@ impl Press<'_> {
             }
         };
         if self.pressed.sheet == Sheet::Scheme {
-            for reference in self.screen.references(self.table) {
+            let all = self.screen.references(self.table);
+            for (index, reference) in all.iter().enumerate() {
+                // A link of two points and the two are the same at a press.
+                if all[..index].iter().any(|before| before.ends == reference.ends) {
+                    continue;
+                }
                 let ends = reference.ends.map(|end| self.paper.at(end));
-                add(reference.name, language.says(&reference.words), ends);
+                add(reference.name.clone(), language.says(&reference.words), ends);
             }
         }
         for (name, line) in self.table.lines().filter(|(_, line)| line.sheet == self.pressed.sheet) {

@@ -1237,6 +1237,7 @@ board-nothing_drawn = Noch ist nichts gezeichnet.
 board-first_wrong = Der erste falsche Schritt ist Nummer {$number}.
 board-should = Richtig wäre: {$what}
 board-no_sheet = die Szene hat keinen solchen Plan
+board-free_hand = Freie Hand: ±{$mm} mm und ±{$degrees}° gelten als richtig
 board-all_there = Es ist alles da.
 board-next_line = Als Nächstes kommt eine Linie: {$sheet}.
 board-next_point = Als Nächstes kommt {$name}: {$sheet}.

@@ -1270,6 +1270,7 @@ board-nothing_drawn = Nothing is drawn yet.
 board-first_wrong = The first wrong operation is number {$number}.
 board-should = It should be: {$what}
 board-no_sheet = the scene has no such plan
+board-free_hand = Free hand: ±{$mm} mm and ±{$degrees}° are right
 board-all_there = Everything is there.
 board-next_line = Next comes a line on the {$sheet}.
 board-next_point = Next comes {$name} on the {$sheet}.

@@ -1235,6 +1235,7 @@ board-nothing_drawn = Todavía no hay nada dibujado.
 board-first_wrong = La primera operación incorrecta es la número {$number}.
 board-should = Debería ser: {$what}
 board-no_sheet = la escena no tiene ese plano
+board-free_hand = Mano libre: ±{$mm} mm y ±{$degrees}° valen como correctos
 board-all_there = Está todo.
 board-next_line = Lo siguiente es una línea: {$sheet}.
 board-next_point = Lo siguiente es {$name}: {$sheet}.

@@ -1237,6 +1237,7 @@ board-nothing_drawn = Ainda não há nada desenhado.
 board-first_wrong = A primeira operação errada é a número {$number}.
 board-should = Deveria ser: {$what}
 board-no_sheet = a cena não tem esse plano
+board-free_hand = Mão livre: ±{$mm} mm e ±{$degrees}° valem como certos
 board-all_there = Está tudo.
 board-next_line = A seguir vem uma linha: {$sheet}.
 board-next_point = A seguir vem {$name}: {$sheet}.
