@@ -90,6 +90,13 @@ impl Numbers<'_> {
     fn all(&self) -> Vec<BoardNumber> {
         let table = self.table;
         let mut all = self.given();
+        // Lengths that are taken from the scheme, as up to a block on its lever or to a special point.
+        let pairs = self.screen.references(table).into_iter().filter(|reference| reference.name.contains(','));
+        for name in pairs.map(|reference| format!("L({})", reference.name)) {
+            if let (Some(number), false) = (table.known(&name), all.iter().any(|known| known.name == name)) {
+                all.push(self.number(&name, number, None));
+            }
+        }
         all.extend(
             table
                 .numbers()

@@ -79,7 +79,10 @@ impl Screen {
     pub fn paper(&self, sheet: Sheet, scales: PerSheet<f64>) -> Option<HandPaper> {
         let known = self.papers.borrow()[sheet].filter(|paper| paper.mu == scales[sheet]);
         known.or_else(|| {
-            let paper = HandPaper::of(&self.judge.given().solution, sheet, scales[sheet])?;
+            // Helping points of the construction have room, too.
+            let own = self.own().map(|own| self.judge.drawn(own).0);
+            let places: Vec<Vector> = own.iter().flat_map(|table| table.places(sheet)).map(|(_, at)| at).collect();
+            let paper = HandPaper::of(&self.judge.given().solution, sheet, scales[sheet], places)?;
             self.papers.borrow_mut()[sheet] = Some(paper);
             Some(paper)
         })

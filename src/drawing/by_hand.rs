@@ -98,16 +98,22 @@ const AROUND: [f64; 2] = [0.3, 25.0];
 const STRUCK: f64 = 3.5;
 
 impl HandPaper {
-    /// The sheet of a scheme or a plan at a scale, with room for what may come out wrong; `None` for a plan that is not there.
+    /// The sheet of a scheme or a plan at a scale, with room for what may come out wrong, and for other places, in units of the sheet from its
+    /// origin; `None` for a plan that is not there.
     #[must_use]
-    pub fn of(solution: &Solution, sheet: Sheet, mu: f64) -> Option<HandPaper> {
+    pub fn of(
+        solution: &Solution,
+        sheet: Sheet,
+        mu: f64,
+        others: impl IntoIterator<Item = Vector>,
+    ) -> Option<HandPaper> {
         let context = SheetContext::new(solution, Purpose::Exercise);
         let extent = match sheet.order() {
             None => scheme::on_paper::extent(&context),
             Some(order) => super::plan::on_paper::extent(context.construction().plan(order)?, ConstructionShown::Whole),
         };
         let origin = origin(&context, sheet);
-        let extent = extent.with(origin);
+        let extent = others.into_iter().fold(extent.with(origin), |extent, place| extent.with(origin + place));
         let larger = extent.size().amax() / mu;
         let white = if sheet == Sheet::Scheme { AROUND[1] } else { (AROUND[0] * larger).max(AROUND[1]) };
         let rounded = |mm: f64| libm::ceil(mm / 5.0) * 5.0;
@@ -249,6 +255,7 @@ fn draw_own(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>, ha
         };
         let mark = canvas.draw_named(&format!("point-{}", point.name), pen, Shape::Circle { center, radius });
         mark.emphasis = point.look.emphasis();
+        point.look.strike(canvas, center, context);
         let name = RichText::math(&context.shown(&point.name, plan));
         let asked = canvas.ask(&format!("{}-", point.name), LabelRequest::new(name, center, radius + 0.7, None, 2));
         asked.pen = point.look.label(asked.pen);
