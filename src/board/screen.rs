@@ -8,13 +8,13 @@ use super::reads::reads;
 use super::shown::{Board, BoardEntry, BoardName, BoardRefused, BoardSheet, BoardThing, NUMBERS, NameKind, ThingKind};
 use super::table::{DrawnLine, Made, Table, things};
 use super::writes::own_drawing;
+use crate::construction::Rate;
 use crate::drawing::{
     Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, RichText, SheetLabels, hand_sheet,
     hand_sheets,
 };
 use crate::format::html_text;
 use crate::geometry::Vector;
-use crate::construction::Rate;
 use crate::quantity::{QuantityRequest, What, readable_names};
 use crate::scene::QuantityName;
 use crate::sheet::{PerSheet, Scales, Sheet};

@@ -66,7 +66,8 @@ impl Slip<'_, '_> {
             let size = given.number(&format!("a_c({})", mechanism.slider_name(id))).unwrap_or(0.0);
             quarter_turn(given.solution.pose.guide(id)) * size
         };
-        let id = sliders.find(|&id| part(id) != Vector::zeros() && (is_near(right, part(id)) || is_near(right, -part(id))))?;
+        let id = sliders
+            .find(|&id| part(id) != Vector::zeros() && (is_near(right, part(id)) || is_near(right, -part(id))))?;
         let slider = mechanism.slider_name(id);
         let link = &mechanism.body(mechanism.slider(id).on).name;
         let [rate, velocity] = [format!("omega({link})"), format!("v_r({slider})")].map(Blank::Symbol);

@@ -305,7 +305,12 @@ impl Press<'_> {
                 let at = self.paper.at(place);
                 // Of several points on the edge the one next to the press is meant.
                 let distance = off(place) + 1e-3 * self.distance(at);
-                let mut snapped = self.snapped(self.entry("through", json!(name)), name.to_owned(), at);
+                let mut entry = self.entry("through", json!(name));
+                if self.snap == Snap::None {
+                    // The point is meant, and the line is where the hand has put it.
+                    entry.insert("drawn".to_owned(), self.drawn(press, Some(direction)));
+                }
+                let mut snapped = self.snapped(entry, name.to_owned(), at);
                 // The set square slides with the hand, its edge on the line.
                 let edge = [at, self.paper.at(place + direction * self.paper.mu)];
                 snapped.ghost.push(square(&edge, at, true));

@@ -211,8 +211,9 @@ pub(super) fn plan_sheet_with(
     let context = SheetContext::new(solution, Purpose::Drawing);
     let mu = PerSheet::from_fn(|sheet| scales[sheet].filter(|_| sheet == plan));
     let pages = pages(context.figure().page);
-    let on_page =
-        |page: Page| sheet_of_plans(&context.on_page(page, mu).with_markers(), &[plan], number, name, Some((drawn, note)));
+    let on_page = |page: Page| {
+        sheet_of_plans(&context.on_page(page, mu).with_markers(), &[plan], number, name, Some((drawn, note)))
+    };
     let mut tried = pages.into_iter().flatten().map(on_page);
     let fitting = tried.find_map(|(drawing, fits)| fits.then_some(drawing));
     fitting.unwrap_or_else(|| on_page(pages[1][0]).0)

@@ -307,7 +307,9 @@ fn all_of_the_own_construction_can_be_chosen_from_what_the_board_offers() {
             let board = screen.board(String::new(), &before);
             let has = |kinds: &[ThingKind], sheet: Option<&str>, wanted: &str| {
                 board.things.iter().any(|thing| {
-                    kinds.contains(&thing.kind) && thing.name == wanted && sheet.is_none_or(|s| thing.sheet.as_str() == s)
+                    kinds.contains(&thing.kind)
+                        && thing.name == wanted
+                        && sheet.is_none_or(|s| thing.sheet.as_str() == s)
                 })
             };
             for wanted in directions(entry) {

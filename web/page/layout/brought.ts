@@ -1,4 +1,5 @@
 import type { App } from "../app.ts";
+import type { HandedIn } from "../board/class.ts";
 import { drawingOf } from "../board/file.ts";
 import { takesText } from "../dom/find.ts";
 import { textOf } from "../files/open.ts";
@@ -58,6 +59,33 @@ export async function openFile(app: App, file: File | null): Promise<void> {
   if (read !== null) take(app, read.name, read.text);
 }
 
+/** The files of what is dropped, also of folders and those in them. */
+async function filesOf(entries: readonly (FileSystemEntry | null)[]): Promise<File[]> {
+  const found: File[] = [];
+  for (const entry of entries) {
+    if (entry === null) continue;
+    if (entry.isFile) found.push(await new Promise<File>((done, failed) => (entry as FileSystemFileEntry).file(done, failed)));
+    else {
+      const reader = (entry as FileSystemDirectoryEntry).createReader();
+      // A folder is read in parts.
+      for (let part: FileSystemEntry[]; (part = await new Promise<FileSystemEntry[]>((done, failed) => reader.readEntries(done, failed))).length > 0; ) found.push(...(await filesOf(part)));
+    }
+  }
+  return found;
+}
+
+/** Takes the drawings of a class; of other files the first is opened. */
+async function takeAll(app: App, files: readonly File[]): Promise<void> {
+  const drawings: HandedIn[] = [];
+  for (const file of files.toSorted((a, b) => a.name.localeCompare(b.name))) {
+    const text = /\.json$/i.test(file.name) ? await textOf(file) : null;
+    if (text !== null && drawingOf(text) !== null) drawings.push({ name: file.name, text });
+  }
+  if (drawings.length === 0) return openFile(app, files[0] ?? null);
+  app.handed.set(drawings);
+  app.drawing.set(true);
+}
+
 /** What is dropped on the page, or pasted outside of a box of text, is opened. */
 export function dropped(app: App): void {
   const isFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
@@ -70,11 +98,15 @@ export function dropped(app: App): void {
   // Before the editor, which would put the file's text into its own.
   document.addEventListener("drop", (event) => {
     document.body.classList.remove("dropping");
-    const file = event.dataTransfer?.files[0];
+    const { files, items } = event.dataTransfer ?? {};
+    const file = files?.[0];
     if (file === undefined) return;
     event.preventDefault();
     event.stopPropagation();
-    void openFile(app, file);
+    const entries = [...(items ?? [])].filter(({ kind }) => kind === "file").map((item) => item.webkitGetAsEntry());
+    // A student's page judges the own drawing alone.
+    const isClass = !app.student.value && (entries.length > 1 || entries[0]?.isDirectory === true);
+    void (isClass ? filesOf(entries).then((all) => takeAll(app, all), () => notice(say("unread_file", { name: file.name }))) : openFile(app, file));
   }, { capture: true });
   document.addEventListener("paste", (event) => {
     if (event.defaultPrevented || takesText(event.target)) return;
