@@ -301,7 +301,8 @@ impl Slip<'_, '_> {
 fn written_otherwise(name: &str, found: f64, right: f64, tolerance: f64) -> Option<Told> {
     let near = |a: f64, b: f64| (a - b).abs() <= tolerance.max(0.006) * b.abs();
     let quantity = || Blank::Quantity(name.to_owned());
-    let number = |x: f64| Blank::Number(crate::format::json(&rounded(x)).trim().to_owned());
+    // Digits alone are meant, and the sign stays as it was written.
+    let number = |x: f64| Blank::Number(crate::format::json(&rounded(x.copysign(found))).trim().to_owned());
     for power in [1, 2, 3, -1, -2, -3] {
         if near(found.abs() * libm::pow(10.0, -f64::from(power)), right.abs()) {
             return Some(tell::decimal_slipped(quantity(), number(found), number(right)));

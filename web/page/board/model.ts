@@ -40,6 +40,8 @@ export interface Model {
   readonly says: Signal<{ text: string; isBad: boolean }>;
   /** Whether the entry under way is a rate of which all is said but its sense. */
   readonly wantsSense: Signal<boolean>;
+  /** Points so near to each other that a press may have meant any of them; empty where none was. */
+  readonly between: Signal<readonly Snapped[]>;
   readonly canUndo: Signal<boolean>;
   readonly canRedo: Signal<boolean>;
   use(): BoardUse;
@@ -74,6 +76,7 @@ export function model(app: App): Model {
   const says = signal({ text: "", isBad: false });
   const pictured = signal("");
   const wantsSense = signal(false);
+  const between = signal<readonly Snapped[]>([]);
   const canUndo = signal(false);
   const canRedo = signal(false);
   const until = signal<number | null>(null);
@@ -186,6 +189,7 @@ export function model(app: App): Model {
     shown: signal<Shown | null>(null),
     says,
     wantsSense,
+    between,
     canUndo,
     canRedo,
     use,
@@ -193,6 +197,7 @@ export function model(app: App): Model {
     text,
     choose(next) {
       wantsSense.set(false);
+      between.set([]);
       tool.set(next);
       has.set(begun(next, has.value));
       own.shown.set(null);
@@ -200,6 +205,7 @@ export function model(app: App): Model {
     },
     fill(entry) {
       wantsSense.set(false);
+      between.set([]);
       has.set(entry);
       if (says.value.isBad) says.set({ text: "", isBad: false });
     },

@@ -153,6 +153,13 @@ export function strip(model: Model, back: () => void): Strip {
   function offer(): void {
     const known = model.known.value;
     if (known === null) return;
+    if (model.between.value.length > 0) {
+      chips.setAttribute("aria-label", say("slot_point"));
+      return chips.replaceChildren(...model.between.value.map((snap) => {
+        const label = known.things.find(({ kind, name }) => kind === "point" && name === snap.words)?.label ?? "";
+        return pressed(chipOf(snap.words, label, ""), () => void model.inTurn(() => model.take(snap)));
+      }));
+    }
     const entry = model.has.value;
     const slots = slotsOf(model.tool.value, entry);
     const next = lacking(model.tool.value, entry);
@@ -163,19 +170,22 @@ export function strip(model: Model, back: () => void): Strip {
     const all = slot === undefined ? [] : chipsOf(slot.takes, known, entry, onOf(entry));
     if (slot === undefined) return chips.replaceChildren();
     chips.setAttribute("aria-label", say(`slot_${slot.takes}`));
-    const numbers = all.map(({ name, label, value }) => {
-      const chip = element("button", { type: "button", "data-name": name });
-      const shown = element("i");
-      shown.innerHTML = label;
-      chip.append(shown, ...(value === "" ? [] : [element("small", {}, value)]));
-      return pressed(chip, (isFinger) => void pick(slot, name, isFinger));
-    });
+    const numbers = all.map(({ name, label, value }) => pressed(chipOf(name, label, value), (isFinger) => void pick(slot, name, isFinger)));
     // A formula is written by presses alone, too.
     const isFormula = (slot.takes === "formula" || slot.takes === "formulas") && slot.get(entry) !== "";
     const sign = ([written, shown]: readonly [string, string]): HTMLButtonElement => pressed(element("button", { type: "button", class: "sign", "data-sign": written }, shown), (isFinger) => put(slot, written, isFinger));
     const back = pressed(element("button", { type: "button", class: "sign", "data-sign": "back", "aria-label": say("sign_back"), title: say("sign_back") }, "⌫"), (isFinger) => put(slot, "", isFinger));
     const signs = slot.takes === "formulas" ? EQUATION_SIGNS : SIGNS;
     chips.replaceChildren(...(isFormula ? [...signs.map(sign), ...numbers, ...MORE_SIGNS.map(sign), back] : numbers));
+  }
+
+  /** `label` is the engine's HTML. */
+  function chipOf(name: string, label: string, value: string): HTMLButtonElement {
+    const chip = element("button", { type: "button", "data-name": name });
+    const shown = element("i");
+    shown.innerHTML = label;
+    chip.append(shown, ...(value === "" ? [] : [element("small", {}, value)]));
+    return chip;
   }
 
   /** A button of the chips: what is written in keeps the keys. */
@@ -268,6 +278,7 @@ export function strip(model: Model, back: () => void): Strip {
     says.classList.toggle("bad", isBad);
   });
   model.wantsSense.on(show);
+  model.between.on(show);
   model.has.on(show);
   model.tool.on(show);
   model.known.on(show);
