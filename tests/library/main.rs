@@ -47,6 +47,7 @@ mod accuracy;
 mod architecture;
 mod assemblies;
 mod bad_scenes;
+mod board_shown;
 mod boards;
 mod camera;
 mod cheats;

@@ -59,17 +59,50 @@ export async function openFile(app: App, file: File | null): Promise<void> {
   if (read !== null) take(app, read.name, read.text);
 }
 
-/** The files of what is dropped, also of folders and those in them. */
-async function filesOf(entries: readonly (FileSystemEntry | null)[]): Promise<File[]> {
+/** Something dropped: a file, or a folder with what is in it. Browsers read folders in two ways, of which the older fails on pages that are files. */
+interface Brought {
+  handle: Promise<FileSystemHandle | null> | undefined;
+  entry: FileSystemEntry | null;
+  file: File | null;
+}
+
+/** What is dropped, taken while it can be had. */
+function broughtBy(items: DataTransferItemList): Brought[] {
+  return [...items].filter(({ kind }) => kind === "file").map((item) => ({
+    handle: (item as DataTransferItem & { getAsFileSystemHandle?(): Promise<FileSystemHandle | null> }).getAsFileSystemHandle?.(),
+    entry: item.webkitGetAsEntry(),
+    file: item.getAsFile(),
+  }));
+}
+
+async function inFolder(folder: FileSystemDirectoryHandle): Promise<File[]> {
   const found: File[] = [];
-  for (const entry of entries) {
-    if (entry === null) continue;
-    if (entry.isFile) found.push(await new Promise<File>((done, failed) => (entry as FileSystemFileEntry).file(done, failed)));
-    else {
-      const reader = (entry as FileSystemDirectoryEntry).createReader();
-      // A folder is read in parts.
-      for (let part: FileSystemEntry[]; (part = await new Promise<FileSystemEntry[]>((done, failed) => reader.readEntries(done, failed))).length > 0; ) found.push(...(await filesOf(part)));
-    }
+  for await (const each of (folder as FileSystemDirectoryHandle & { values(): AsyncIterable<FileSystemHandle> }).values()) {
+    found.push(...(each.kind === "file" ? [await (each as FileSystemFileHandle).getFile()] : await inFolder(each as FileSystemDirectoryHandle)));
+  }
+  return found;
+}
+
+async function inEntry(entry: FileSystemEntry): Promise<File[]> {
+  if (entry.isFile) return [await new Promise<File>((done, failed) => (entry as FileSystemFileEntry).file(done, failed))];
+  const reader = (entry as FileSystemDirectoryEntry).createReader();
+  const found: File[] = [];
+  // A folder is read in parts.
+  for (let part: FileSystemEntry[]; (part = await new Promise<FileSystemEntry[]>((done, failed) => reader.readEntries(done, failed))).length > 0; ) {
+    for (const each of part) found.push(...(await inEntry(each)));
+  }
+  return found;
+}
+
+/** The files of what is dropped, also of folders and those in them. */
+async function filesOf(all: readonly Brought[]): Promise<File[]> {
+  const found: File[] = [];
+  for (const { handle, entry, file } of all) {
+    const isFolder = entry?.isDirectory === true;
+    const known = isFolder ? await handle?.catch(() => null) : null;
+    if (known != null) found.push(...(await inFolder(known as FileSystemDirectoryHandle)));
+    else if (isFolder) found.push(...(await inEntry(entry)));
+    else if (file !== null) found.push(file);
   }
   return found;
 }
@@ -103,10 +136,10 @@ export function dropped(app: App): void {
     if (file === undefined) return;
     event.preventDefault();
     event.stopPropagation();
-    const entries = [...(items ?? [])].filter(({ kind }) => kind === "file").map((item) => item.webkitGetAsEntry());
+    const all = items === undefined ? [] : broughtBy(items);
     // A student's page judges the own drawing alone.
-    const isClass = !app.student.value && (entries.length > 1 || entries[0]?.isDirectory === true);
-    void (isClass ? filesOf(entries).then((all) => takeAll(app, all), () => notice(say("unread_file", { name: file.name }))) : openFile(app, file));
+    const isClass = !app.student.value && (all.length > 1 || all[0]?.entry?.isDirectory === true);
+    void (isClass ? filesOf(all).then((files) => takeAll(app, files)).catch(() => notice(say("unread_file", { name: file.name }))) : openFile(app, file));
   }, { capture: true });
   document.addEventListener("paste", (event) => {
     if (event.defaultPrevented || takesText(event.target)) return;
