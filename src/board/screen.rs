@@ -210,8 +210,10 @@ impl Screen {
                 let words = super::says::link(&body.name);
                 all.push(Reference { name: body.name.clone(), kind: ThingKind::Link, words, ends: [from, to] });
             }
+            // Of a dyad that is its inner joint, which is there already.
             let special = given.construction().special.iter().filter(|special| special.link == id);
-            points.extend(special.map(|special| special.name.as_str()));
+            let special = special.map(|special| special.name.as_str()).filter(|name| mechanism.point(name).is_none());
+            points.extend(special.collect::<Vec<_>>());
             // What slides on a link is at a point of it just now.
             let sliding = mechanism.slider_ids().map(|slider| mechanism.slider(slider));
             let sliding = sliding.filter(|slider| slider.on == id && !body.points.contains(&slider.at));

@@ -92,6 +92,10 @@ fn numbers_have_units_and_lengths_that_are_taken_from_the_scheme_are_there() {
         found.unwrap_or_else(|| panic!("no {name}")).unit.as_str()
     };
     assert_eq!([unit("pb"), unit("half"), unit("omega(1)"), unit("L(D,B)")], ["mm/s", "", "rad/s", "mm"]);
+    let lengths = board.numbers.iter().filter(|number| number.name.starts_with("L("));
+    let of_nothing: Vec<&str> =
+        lengths.filter(|number| number.value == "0").map(|number| number.name.as_str()).collect();
+    assert!(of_nothing.is_empty(), "{of_nothing:?}");
     let turning = |name: &str| board.names.iter().any(|known| known.name == name && known.is_turning);
     assert_eq!(["omega(3)", "alpha(3)", "v_r(2/3)", "v(B)"].map(turning), [true, true, false, false]);
     assert!(board.did[1].words.ends_with("600 mm/s"), "{}", board.did[1].words);

@@ -43,6 +43,8 @@ export function strip(model: Model, back: () => void): Strip {
   /** The boxes of the present sentence by their blanks. */
   let boxes = new Map<string, Box>();
   let shape = "";
+  /** For what the chips were offered last. */
+  let offered = "";
   /** The blank whose box the chips go into. */
   let chosen = "";
   /** Whether keys came from a sheet, and go back to it. */
@@ -170,6 +172,10 @@ export function strip(model: Model, back: () => void): Strip {
     const all = slot === undefined ? [] : chipsOf(slot.takes, known, entry, onOf(entry));
     if (slot === undefined) return chips.replaceChildren();
     chips.setAttribute("aria-label", say(`slot_${slot.takes}`));
+    // What is offered anew is seen from its beginning: the signs after a number, the names of another box.
+    const offers = `${model.tool.value} ${slot.blank} ${slot.get(entry)}`;
+    if (offers !== offered) chips.scrollTo({ left: 0 });
+    offered = offers;
     const numbers = all.map(({ name, label, value }) => pressed(chipOf(name, label, value), (isFinger) => void pick(slot, name, isFinger)));
     // A formula is written by presses alone, too.
     const isFormula = (slot.takes === "formula" || slot.takes === "formulas") && slot.get(entry) !== "";
