@@ -161,6 +161,19 @@ fn what_is_told_is_true_in_its_sense_and_its_sign() {
     let [done, should] = told(&lever, &json!(did));
     assert!(done.contains("from k_b3 to b"), "{done}");
     assert!(should.contains("turned by 90°"), "{should}");
+    // A lever's whole length for that up to its pin; vplan(p,e), which would do with it, is not drawn.
+    let velocities: Vec<Value> = json!([
+        { "lay_off": "b", "on": "velocity", "from": "p", "size": "omega(1) * L(A,B)", "along": { "normal": "1" } },
+        { "line": "r1", "on": "velocity", "through": "b", "along": { "parallel": "2/3" } },
+        { "line": "r2", "on": "velocity", "through": "p", "along": { "normal": "3" } },
+        { "cross": "b_3", "of": ["r1", "r2"] },
+        { "compute": "omega(3)", "as": "vplan(p,b_3) / L(D,C)", "sense": "ccw" },
+    ])
+    .as_array()
+    .expect("entries")
+    .clone();
+    let [done, _] = told(&lever, &json!(velocities));
+    assert!(done.contains("L_DC") || done.contains("L_DB"), "{done}");
     // ω_2 of the four-bar linkage is −2.424 rad/s (docs/students.md): 4 and 2 stand in each other's place.
     let four_bar = screen(&read("templates/four-bar.json"));
     let [done, should] = told(&four_bar, &json!([{ "compute": "omega(2)", "value": -2.244 }]));
