@@ -476,6 +476,10 @@ class StyleFilePens(TypedDict):
     """A line of a student's drawing over the right one."""
     student_point: NotRequired[StylePen]
     """A point of such a drawing, a small cross, and its name."""
+    wrong: NotRequired[StylePen]
+    """A line or a vector of a hand's drawing that is wrong by itself."""
+    wrong_point: NotRequired[StylePen]
+    """Such a point, its name, and the cross by which a wrong line is struck."""
     note: NotRequired[object]
     """For people; ignored"""
 
