@@ -35,8 +35,8 @@ mod write;
 
 pub use build::{Builder, Guide, NewLink, Push, Turn};
 pub use choices::{
-    ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, LengthUnit, Measure, NotationName, Page,
-    PageSize, ScalesFor, Sizes, SlidingName, StyleName, TimeUnit, TurnedName, Units, ValuesShown,
+    CenterName, ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, LengthUnit, Measure,
+    NotationName, Page, PageSize, ScalesFor, Sizes, SlidingName, StyleName, TimeUnit, TurnedName, Units, ValuesShown,
 };
 pub use error::{Place, SceneError};
 pub use figure::Figure;
