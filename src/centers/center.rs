@@ -60,7 +60,9 @@ impl TrueCenter {
         let rounded = along.rounded();
         let direction = to_the_right(rounded)?;
         let along = if rounded.dot(&direction) < 0.0 { -along } else { along };
-        Some((direction, along.degrees_from(degrees_of(direction))))
+        // The direction is printed by its components, and as an angle.
+        let across = along.cross(direction.into()).largest() / along.dot(along).sqrt().smallest();
+        Some((direction, along.degrees_from(degrees_of(direction)).max(across.to_degrees())))
     }
 }
 

@@ -16,6 +16,9 @@ pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneE
     document.remove(&["links", name])?;
     remove_joints(document, Meaning::Link, name)?;
     document.remove(&["near", &format!("angle({name})")])?;
+    for list in ["centrodes", "inflection"] {
+        remove_entries(document, &["figure", list], &|link| *link == *name)?;
+    }
     remove_named(document, &names, Named::Link, name)?;
     let is_elsewhere = |point: &String| {
         names.ground.contains(point) || names.links.iter().any(|(link, points)| link != name && points.contains(point))

@@ -64,6 +64,7 @@ pub(crate) fn meaning(path: &[&str], is_key: bool) -> Option<Meaning> {
         (["ground" | "points" | "known"] | ["links", _, "shape"], true) => Meaning::Point,
         (["ground", _] | ["links", _, _] | ["links", _, "points", _], false) => Meaning::Point,
         (["links", _, "motion", "at"] | ["figure", "trace", _], false) => Meaning::Point,
+        (["figure", "centrodes" | "inflection", _], false) => Meaning::Link,
         (["links"], true) => Meaning::Link,
         (["near"], true) => Meaning::PointOrAngle,
         (["links", _, "lengths"], true) => Meaning::PairOfLink,
