@@ -14,7 +14,7 @@ const TOLERANCE: f64 = 2e-5;
 const GAP: f64 = 1e-2;
 
 /// Distance from the mechanism's own position up to which a centrode is followed, in sizes of the mechanism: it may run through infinity.
-const REACH: f64 = 1.2;
+const REACH: f64 = 1.6;
 
 /// Samples of a centrode besides those of the grid, at most: next to a change point its places are not certain.
 const MOST: usize = 20_000;

@@ -5,7 +5,7 @@ use super::says;
 use super::value::{Quantity, State};
 use crate::centers::{LinkPair, Moved, Permanent, to_the_right};
 use crate::construction::Solution;
-use crate::geometry::{Pair, Place, Point, UNIT_ROUNDOFF, Vector, quarter_turn, span};
+use crate::geometry::{Pair, Place, Point, UNIT_ROUNDOFF, Vector, cross, quarter_turn, span};
 use crate::mechanism::{BodyId, GROUND, PointId};
 
 /// A centre farther away than this, in parts of the mechanism's size, is taken to be at infinity: of its place three digits would be right at most.
@@ -56,8 +56,10 @@ impl QuantityRequest {
 
     /// The radius of curvature of the path of a body's point.
     pub(super) fn path_radius(&self, body: BodyId, at: Point, state: &impl State) -> Result<f64, QuantityError> {
+        let [velocity, acceleration] = state.motion_at(body, at);
+        let is_curved = cross(velocity, acceleration).abs() > REST * velocity.norm() * acceleration.norm();
         let radius = moved(state, body, at).path_radius();
-        if radius.is_finite() { Ok(radius) } else { Err(self.none(says::path_is_straight())) }
+        if is_curved && radius.is_finite() { Ok(radius) } else { Err(self.none(says::path_is_straight())) }
     }
 
     /// The motion of the link of a pole about a point of it, and whether it turns.
