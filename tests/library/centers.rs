@@ -232,6 +232,11 @@ impl Case<'_> {
             Center::At { place, error } if first.iter().any(|point| second.contains(point)) => {
                 let pin = first.iter().find(|point| second.contains(point)).expect("a pin");
                 let truth = self.truth.point(&self.solution.mechanism.points[pin.0]).expect("a point");
+                let [a, b] = pair.links().map(|link| self.moved(link, &truth.place).1);
+                let slip = minus(&b[0], &a[0]).iter().map(|x| rounded(x).abs()).fold(0.0, f64::max);
+                if slip > 1e-25 {
+                    seen.failures.push(format!("{}: {name} is no pin: {slip:e}", self.number));
+                }
                 self.number(&name, place.coords.as_slice(), error, &truth.place, seen);
             }
             Center::At { place, error } => {
@@ -339,17 +344,25 @@ fn on_lines(number: u64, mechanism: &Mechanism, centers: &BTreeMap<LinkPair, Cen
         Center::At { place, error } => Some((*place, *error)),
         _ => None,
     };
+    let is_pinned =
+        |(a, b): (BodyId, BodyId)| mechanism.body(a).points.iter().any(|&point| mechanism.body(b).has(point));
     for (i, &a) in links.iter().enumerate() {
         for (j, &b) in links.iter().enumerate().skip(i + 1) {
             for &c in &links[j + 1..] {
                 let (Some(p), Some(q), Some(r)) = (at(a, b), at(b, c), at(a, c)) else { continue };
+                // Three links that are pinned to each other are one body: none of them turns against another.
+                if [(a, b), (b, c), (a, c)].into_iter().all(is_pinned) {
+                    continue;
+                }
                 seen.lines += 1;
                 let (u, v) = (q.0 - p.0, r.0 - p.0);
                 let rounding = f64::EPSILON * [p, q, r].iter().map(|c| c.0.coords.amax()).fold(0.0, f64::max);
                 let off = p.1 + q.1 + r.1 + rounding;
                 let area = (u.x * v.y - u.y * v.x).abs();
                 if area > 4.0 * off * (u.amax() + v.amax()) + 4.0 * f64::EPSILON * u.amax() * v.amax() {
-                    seen.failures.push(format!("{number}: centres of {a:?} {b:?} {c:?} are off a line: {area:e}"));
+                    seen.failures.push(format!(
+                        "{number}: centres of {a:?} {b:?} {c:?} are off a line: {area:e}: {p:?} {q:?} {r:?}"
+                    ));
                 }
             }
         }
