@@ -31,10 +31,10 @@ impl<T: Number> Moved<T> {
     /// their velocity. Without ω there is none. O. Bottema, B. Roth, *Theoretical Kinematics*, North-Holland 1979, chapter VIII.
     #[must_use]
     pub fn inflection_pole(&self) -> Pair<T> {
-        self.at + self.to_inflection_pole()
+        self.at + self.inflection_arm()
     }
 
-    fn to_inflection_pole(&self) -> Pair<T> {
+    fn inflection_arm(&self) -> Pair<T> {
         self.acceleration.minus_scaled(self.velocity, self.alpha / self.omega)
             * (self.one() / (self.omega * self.omega))
     }
@@ -42,7 +42,7 @@ impl<T: Number> Moved<T> {
     /// The diameter of the inflection circle, |a_P|/ω².
     #[must_use]
     pub fn inflection_diameter(&self) -> T {
-        let across = self.to_inflection_pole().minus_turned(self.velocity, self.one() / self.omega);
+        let across = self.inflection_arm().minus_turned(self.velocity, self.one() / self.omega);
         across.dot(across).sqrt()
     }
 

@@ -84,9 +84,9 @@ fn within(room: Rect, chain: &[Point]) -> Vec<Vec<Point>> {
 /// What of a circle is in a room, as chains of lines. Of one much larger than the room only the part that is near it is looked at.
 fn around(room: Rect, center: Point, radius: f64) -> Vec<Vec<Point>> {
     let away = room.center() - center;
-    let half = 0.5 * room.width().hypot(room.height());
+    let half = 0.5 * libm::hypot(room.width(), room.height());
     let (middle, spread) = match radius > 2.0 * half && away.hypot() > half {
-        true => (away.atan2(), libm::asin((half / away.hypot()).min(1.0))),
+        true => (libm::atan2(away.y, away.x), libm::asin((half / away.hypot()).min(1.0))),
         false => (0.0, PI),
     };
     let at = |part: usize| {
