@@ -249,6 +249,34 @@ messages! { "scene":
     add_link_or_pin(point);
     slides_on_itself(link);
 
+    // Masses and loads.
+    mass_and_weight(link);
+    without_mass(link, key);
+    no_unit_of_mass(link);
+    add_unit_of_mass;
+    weight_without_gravity(link);
+    add_gravity;
+    no_center(link);
+    add_center;
+    below_zero(key, value);
+    nothing_loads;
+    add_mass_or_force;
+    no_unit_of_force;
+    add_unit_of_force;
+    distance_is_drawn(link);
+    place_as_drawn;
+    neither_force_nor_couple;
+    force_nowhere;
+    add_at_of_force;
+    couple_turns;
+    turns_is_drawn;
+    spring_within_link;
+    spring_between_links;
+    no_point_of_ground(point);
+    distance_on_ground;
+    load_name(name);
+    load_name_twice(name);
+
     // The figure.
     scale_is(key, what);
     scale_too_large(scale, most);
@@ -289,6 +317,9 @@ messages! { "scene":
     expects_direction;
     expects_vector;
     expects_link;
+    expects_link_place;
+    expects_load;
+    expects_spring;
     expects_a_link;
     expects_ground;
     expects_drive;

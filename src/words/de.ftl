@@ -729,6 +729,35 @@ scene-add_at = ergänzen Sie "at", den Punkt von Glied {$link}, der auf der Füh
 scene-add_link_or_pin = ergänzen Sie "link", das gleitende Glied; oder schreiben Sie "pin": "{$point}" für einen Bolzen in einem Schlitz
 scene-slides_on_itself = Glied {$link} kann nicht auf sich selbst gleiten
 
+# Masses and loads.
+
+scene-mass_and_weight = Glied {$link} hat eine Masse und ein Gewicht
+scene-without_mass = Glied {$link} hat `{$key}`, aber keine Masse
+scene-no_unit_of_mass = Glied {$link} hat eine Masse, aber die Szene hat keine Masseneinheit
+scene-add_unit_of_mass = ergänzen Sie `"mass": "kg"` in `units`
+scene-weight_without_gravity = Glied {$link} hat ein Gewicht, aber die Szene keine Schwerkraft, so dass seine Masse nicht bekannt ist
+scene-add_gravity = ergänzen Sie `"gravity": [0, -9810]` (in mm und s), oder geben Sie eine Masse an
+scene-no_center = Glied {$link} hat eine Masse, aber keinen Schwerpunkt
+scene-add_center = ergänzen Sie `"center"`: einen Punkt wie "C", Koordinaten [x, y] im System des Glieds, oder einen Abstand entlang seiner Achse
+scene-below_zero = `{$key}` ist {$value}, kleiner als null
+scene-nothing_loads = nichts belastet die Glieder: keines hat eine Masse, und es gibt weder Kraft noch Feder
+scene-add_mass_or_force = geben Sie einem Glied eine Masse, oder ergänzen Sie `"forces"`
+scene-no_unit_of_force = es gibt Lasten, aber die Szene hat keine Krafteinheit
+scene-add_unit_of_force = ergänzen Sie `"force": "N"` in `units`
+scene-distance_is_drawn = ein Abstand entlang der Achse von Glied {$link}, aber diese Szene ist eine gezeichnete Stellung
+scene-place_as_drawn = geben Sie die Koordinaten [x, y] an, wie sie gezeichnet sind
+scene-neither_force_nor_couple = eine Last ist eine Kraft, ein Moment, oder beides
+scene-force_nowhere = eine Kraft greift an einer Stelle an
+scene-add_at_of_force = ergänzen Sie `"at"`: einen Punkt wie "C", Koordinaten [x, y] im System des Glieds, oder einen Abstand entlang seiner Achse
+scene-couple_turns = ein Moment ist dasselbe, ob es sich mitdreht oder nicht
+scene-turns_is_drawn = in einer gezeichneten Stellung ist eine Kraft, wie sie gezeichnet ist
+scene-spring_within_link = beide Enden der Feder sind an einem Körper, sie zieht also an nichts
+scene-spring_between_links = nennen Sie zwei Körper, wie [["3", "C"], ["ground", "A"]]
+scene-no_point_of_ground = das Gestell hat keinen Punkt {$point}
+scene-distance_on_ground = das Gestell hat keine Achse; geben Sie einen Punkt oder Koordinaten [x, y] an
+scene-load_name = `{$name}` kann nicht der Name einer Last sein: ein Name ist nicht leer und hat kein ( ) und kein Komma
+scene-load_name_twice = zwei Lasten haben den Namen {$name}
+
 # The figure.
 
 scene-scale_is = `{$key}` ist {$what}
@@ -772,6 +801,9 @@ scene-expects_point_or_place = der Name eines Punktes in doppelten Anführungsze
 scene-expects_direction = zwei Punkte wie "BE", oder eine Zahl in Grad, oder [dx, dy]
 scene-expects_vector = ein Vektor wie {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = ein Glied wie {"{"} "points": ["A", "B"], … {"}"}, oder eine Liste seiner Punkte ["A", "B"]
+scene-expects_link_place = den Namen eines Punkts in doppelten Anführungszeichen, seine Koordinaten [x, y], oder einen Abstand entlang der Achse des Glieds
+scene-expects_load = eine Last wie {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
+scene-expects_spring = eine Feder wie {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = ein Glied
 scene-expects_ground = die Gestellpunkte wie {"{"} "A": [x, y], … {"}"}, oder ihre Namen wie ["A", …]
 scene-expects_drive = ein Antrieb wie {"{"} "angle": 70, "omega": -1 {"}"}

@@ -759,6 +759,35 @@ scene-add_at = add "at", the point of link {$link} that is on the guide
 scene-add_link_or_pin = add "link", the sliding link; or write "pin": "{$point}" for a pin in a slot
 scene-slides_on_itself = link {$link} cannot slide on itself
 
+# Masses and loads.
+
+scene-mass_and_weight = link {$link} has a mass and a weight
+scene-without_mass = link {$link} has `{$key}`, but no mass
+scene-no_unit_of_mass = link {$link} has a mass, but the scene has no unit of mass
+scene-add_unit_of_mass = add `"mass": "kg"` to `units`
+scene-weight_without_gravity = link {$link} has a weight, but the scene has no gravity, so its mass is not known
+scene-add_gravity = add `"gravity": [0, -9810]` (in mm and s), or give a mass
+scene-no_center = link {$link} has a mass, but no centre of mass
+scene-add_center = add `"center"`: a point as "C", coordinates [x, y] in the frame of the link, or a distance along its axis
+scene-below_zero = `{$key}` is {$value}, below zero
+scene-nothing_loads = nothing loads the links: none has a mass, and there is no force and no spring
+scene-add_mass_or_force = give a link a mass, or add `"forces"`
+scene-no_unit_of_force = there are loads, but the scene has no unit of force
+scene-add_unit_of_force = add `"force": "N"` to `units`
+scene-distance_is_drawn = a distance along the axis of link {$link}, but this scene is a drawn configuration
+scene-place_as_drawn = give the coordinates [x, y] as drawn
+scene-neither_force_nor_couple = a load is a force, a couple, or both
+scene-force_nowhere = a force acts at a place
+scene-add_at_of_force = add `"at"`: a point as "C", coordinates [x, y] in the frame of the link, or a distance along its axis
+scene-couple_turns = a couple is the same whether it turns or not
+scene-turns_is_drawn = in a drawn configuration a force is as it is drawn
+scene-spring_within_link = both ends of the spring are on one body, so it pulls nothing
+scene-spring_between_links = name two bodies, as [["3", "C"], ["ground", "A"]]
+scene-no_point_of_ground = the ground has no point {$point}
+scene-distance_on_ground = the ground has no axis; give a point or coordinates [x, y]
+scene-load_name = `{$name}` cannot be the name of a load: a name is not empty and has no ( ) or comma
+scene-load_name_twice = two loads have the name {$name}
+
 # The figure.
 
 scene-scale_is = `{$key}` is {$what}
@@ -802,6 +831,9 @@ scene-expects_point_or_place = the name of a point in double quotes, or its coor
 scene-expects_direction = two points as "BE", or a number of degrees, or [dx, dy]
 scene-expects_vector = a vector as {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = a link as {"{"} "points": ["A", "B"], … {"}"}, or a list of its points ["A", "B"]
+scene-expects_link_place = the name of a point in double quotes, its coordinates [x, y], or a distance along the link's axis
+scene-expects_load = a load as {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
+scene-expects_spring = a spring as {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = a link
 scene-expects_ground = the frame's points as {"{"} "A": [x, y], … {"}"}, or their names as ["A", …]
 scene-expects_drive = a drive as {"{"} "angle": 70, "omega": -1 {"}"}

@@ -727,6 +727,35 @@ scene-add_at = añada "at", el punto del eslabón {$link} que está en la guía
 scene-add_link_or_pin = añada "link", el eslabón que desliza; o escriba "pin": "{$point}" para un perno en una ranura
 scene-slides_on_itself = el eslabón {$link} no puede deslizar sobre sí mismo
 
+# Masses and loads.
+
+scene-mass_and_weight = el eslabón {$link} tiene masa y peso
+scene-without_mass = el eslabón {$link} tiene `{$key}`, pero no masa
+scene-no_unit_of_mass = el eslabón {$link} tiene masa, pero la escena no tiene unidad de masa
+scene-add_unit_of_mass = añada `"mass": "kg"` a `units`
+scene-weight_without_gravity = el eslabón {$link} tiene peso, pero la escena no tiene gravedad: su masa no se conoce
+scene-add_gravity = añada `"gravity": [0, -9810]` (en mm y s), o dé una masa
+scene-no_center = el eslabón {$link} tiene masa, pero no centro de masa
+scene-add_center = añada `"center"`: un punto como "C", coordenadas [x, y] en el sistema del eslabón, o una distancia a lo largo de su eje
+scene-below_zero = `{$key}` es {$value}, menor que cero
+scene-nothing_loads = nada carga los eslabones: ninguno tiene masa, y no hay fuerza ni resorte
+scene-add_mass_or_force = dé masa a un eslabón, o añada `"forces"`
+scene-no_unit_of_force = hay cargas, pero la escena no tiene unidad de fuerza
+scene-add_unit_of_force = añada `"force": "N"` a `units`
+scene-distance_is_drawn = una distancia a lo largo del eje del eslabón {$link}, pero esta escena es una configuración dibujada
+scene-place_as_drawn = dé las coordenadas [x, y] como están dibujadas
+scene-neither_force_nor_couple = una carga es una fuerza, un par, o ambos
+scene-force_nowhere = una fuerza actúa en un lugar
+scene-add_at_of_force = añada `"at"`: un punto como "C", coordenadas [x, y] en el sistema del eslabón, o una distancia a lo largo de su eje
+scene-couple_turns = un par es el mismo gire o no
+scene-turns_is_drawn = en una configuración dibujada una fuerza es como está dibujada
+scene-spring_within_link = ambos extremos del resorte están en un mismo cuerpo: no tira de nada
+scene-spring_between_links = nombre dos cuerpos, como [["3", "C"], ["ground", "A"]]
+scene-no_point_of_ground = el bastidor no tiene el punto {$point}
+scene-distance_on_ground = el bastidor no tiene eje; dé un punto o coordenadas [x, y]
+scene-load_name = `{$name}` no puede ser el nombre de una carga: un nombre no está vacío y no tiene ( ) ni coma
+scene-load_name_twice = dos cargas tienen el nombre {$name}
+
 # The figure.
 
 scene-scale_is = `{$key}` es {$what}
@@ -770,6 +799,9 @@ scene-expects_point_or_place = el nombre de un punto entre comillas dobles, o su
 scene-expects_direction = dos puntos como "BE", o un número de grados, o [dx, dy]
 scene-expects_vector = un vector como {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = un eslabón como {"{"} "points": ["A", "B"], … {"}"}, o una lista de sus puntos ["A", "B"]
+scene-expects_link_place = el nombre de un punto entre comillas dobles, sus coordenadas [x, y], o una distancia a lo largo del eje del eslabón
+scene-expects_load = una carga como {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
+scene-expects_spring = un resorte como {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = un eslabón
 scene-expects_ground = los puntos del bastidor como {"{"} "A": [x, y], … {"}"}, o sus nombres como ["A", …]
 scene-expects_drive = un accionamiento como {"{"} "angle": 70, "omega": -1 {"}"}

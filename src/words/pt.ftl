@@ -729,6 +729,35 @@ scene-add_at = acrescente "at", o ponto do elo {$link} que está na guia
 scene-add_link_or_pin = acrescente "link", o elo que desliza; ou escreva "pin": "{$point}" para um pino em uma ranhura
 scene-slides_on_itself = o elo {$link} não pode deslizar sobre si mesmo
 
+# Masses and loads.
+
+scene-mass_and_weight = o elo {$link} tem massa e peso
+scene-without_mass = o elo {$link} tem `{$key}`, mas não massa
+scene-no_unit_of_mass = o elo {$link} tem massa, mas a cena não tem unidade de massa
+scene-add_unit_of_mass = acrescente `"mass": "kg"` a `units`
+scene-weight_without_gravity = o elo {$link} tem peso, mas a cena não tem gravidade: a sua massa não é conhecida
+scene-add_gravity = acrescente `"gravity": [0, -9810]` (em mm e s), ou dê uma massa
+scene-no_center = o elo {$link} tem massa, mas não centro de massa
+scene-add_center = acrescente `"center"`: um ponto como "C", coordenadas [x, y] no sistema do elo, ou uma distância ao longo do seu eixo
+scene-below_zero = `{$key}` é {$value}, menor que zero
+scene-nothing_loads = nada carrega os elos: nenhum tem massa, e não há força nem mola
+scene-add_mass_or_force = dê massa a um elo, ou acrescente `"forces"`
+scene-no_unit_of_force = há cargas, mas a cena não tem unidade de força
+scene-add_unit_of_force = acrescente `"force": "N"` a `units`
+scene-distance_is_drawn = uma distância ao longo do eixo do elo {$link}, mas esta cena é uma configuração desenhada
+scene-place_as_drawn = dê as coordenadas [x, y] como estão desenhadas
+scene-neither_force_nor_couple = uma carga é uma força, um binário, ou ambos
+scene-force_nowhere = uma força atua num lugar
+scene-add_at_of_force = acrescente `"at"`: um ponto como "C", coordenadas [x, y] no sistema do elo, ou uma distância ao longo do seu eixo
+scene-couple_turns = um binário é o mesmo, gire ou não
+scene-turns_is_drawn = numa configuração desenhada uma força é como está desenhada
+scene-spring_within_link = ambas as extremidades da mola estão num mesmo corpo: não puxa nada
+scene-spring_between_links = nomeie dois corpos, como [["3", "C"], ["ground", "A"]]
+scene-no_point_of_ground = a base não tem o ponto {$point}
+scene-distance_on_ground = a base não tem eixo; dê um ponto ou coordenadas [x, y]
+scene-load_name = `{$name}` não pode ser o nome de uma carga: um nome não é vazio e não tem ( ) nem vírgula
+scene-load_name_twice = duas cargas têm o nome {$name}
+
 # The figure.
 
 scene-scale_is = `{$key}` é {$what}
@@ -772,6 +801,9 @@ scene-expects_point_or_place = o nome de um ponto entre aspas duplas, ou suas co
 scene-expects_direction = dois pontos como "BE", ou um número de graus, ou [dx, dy]
 scene-expects_vector = um vetor como {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = um elo como {"{"} "points": ["A", "B"], … {"}"}, ou uma lista dos seus pontos ["A", "B"]
+scene-expects_link_place = o nome de um ponto entre aspas duplas, as suas coordenadas [x, y], ou uma distância ao longo do eixo do elo
+scene-expects_load = uma carga como {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
+scene-expects_spring = uma mola como {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = um elo
 scene-expects_ground = os pontos da base como {"{"} "A": [x, y], … {"}"}, ou seus nomes como ["A", …]
 scene-expects_drive = um acionamento como {"{"} "angle": 70, "omega": -1 {"}"}
