@@ -1,6 +1,7 @@
-use super::enclosure::Enclosure;
+use super::enclosure::{Enclosure, Loaded};
 use super::says;
 use crate::construction::{Construction, Special, Values};
+use crate::forces::{Forces, forces};
 use crate::geometry::{Ball, Pair, Point, UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::mechanism::{BodyId, Group, Mechanism, PointId, Role, SliderId};
 use crate::message::Message;
@@ -30,6 +31,8 @@ pub struct Bounds<'a> {
     pub(super) construction: Option<&'a Construction>,
     /// The construction carried out within the enclosure, once it is asked for.
     pub(super) plans: OnceCell<Option<Values<Ball>>>,
+    /// The forces within the enclosure, once they are asked for.
+    forces: OnceCell<Option<Forces>>,
 }
 
 /// Bounds of the errors of `pose` and `motion`, which belong to `mechanism`, which was made from `scene`.
@@ -38,7 +41,16 @@ pub struct Bounds<'a> {
 #[must_use]
 pub fn bounds<'a>(scene: &'a Scene, mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Bounds<'a> {
     let enclosure = Enclosure::new(scene, mechanism, pose, motion.order);
-    Bounds { scene, mechanism, pose, motion, enclosure, construction: None, plans: OnceCell::new() }
+    Bounds {
+        scene,
+        mechanism,
+        pose,
+        motion,
+        enclosure,
+        construction: None,
+        plans: OnceCell::new(),
+        forces: OnceCell::new(),
+    }
 }
 
 impl<'a> Bounds<'a> {
@@ -46,6 +58,31 @@ impl<'a> Bounds<'a> {
     #[must_use]
     pub fn with_plans(self, construction: &'a Construction) -> Self {
         Bounds { construction: Some(construction), plans: OnceCell::new(), ..self }
+    }
+
+    /// The forces within the enclosure; `None` without loads or an enclosure, or where the equations of a group may be singular.
+    pub(crate) fn forces(&self) -> Option<&Forces> {
+        let enclosed = || {
+            let enclosure = self.enclosure.as_ref()?;
+            let posed = Loaded::new(self.scene, self.mechanism, enclosure);
+            forces(self.scene.loads.as_ref()?, self.scene.units, self.mechanism, &posed)
+        };
+        self.forces.get_or_init(enclosed).as_ref()
+    }
+
+    /// Bound of the error of a number that is read from forces, and from the directions of guides.
+    pub(crate) fn of_force(
+        &self,
+        value: f64,
+        read: impl Fn(&Forces, &dyn Fn(SliderId) -> Pair<Ball>) -> Option<Ball>,
+    ) -> f64 {
+        let of = |e: &Enclosure| read(self.forces()?, &|slider| e.guide(slider));
+        self.from(of, |ball| self.of_number(ball, value))
+    }
+
+    /// The same of a vector: of each component.
+    pub(crate) fn of_force_vector(&self, value: Vector, read: impl Fn(&Forces) -> Option<Pair<Ball>>) -> f64 {
+        self.from(|_| read(self.forces()?), |ball| self.of_vector(ball, value))
     }
 
     pub(super) fn snapshot(&self) -> Snapshot<'_> {

@@ -1,10 +1,12 @@
 use super::given::{Given, Vector};
+use super::locals::Locals;
 use super::placed::TruePlaces;
 use super::places::PlacesOf;
 use crate::construction::{Course, CutLine, Rate, Special, Truth};
+use crate::forces::Posed;
 use crate::geometry::{Ball, Pair};
 use crate::mechanism::{BodyId, Group, Mechanism, PointId, SliderId};
-use crate::motion::{State, bounded_motion};
+use crate::motion::{Places, State, bounded_motion};
 use crate::position::Pose;
 use crate::scene::Scene;
 use crate::sheet::Order;
@@ -112,6 +114,57 @@ impl Enclosure {
                 mechanism.slider_ids().find(of_body).map(|id| self.guide(id))
             }
         }
+    }
+}
+
+/// The true position and motion with what the scene gives, for forces.
+pub(super) struct Loaded<'a> {
+    pub places: PlacesOf<'a>,
+    pub enclosure: &'a Enclosure,
+    locals: Locals<'a>,
+}
+
+impl<'a> Loaded<'a> {
+    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, enclosure: &'a Enclosure) -> Loaded<'a> {
+        let given = Given { scene, mechanism };
+        let TruePlaces { points, guides, .. } = &enclosure.placed;
+        Loaded { places: PlacesOf { given, points, guides }, enclosure, locals: Locals::new(given) }
+    }
+}
+
+impl Places for Loaded<'_> {
+    fn place(&self, point: PointId) -> Vector {
+        self.places.place(point)
+    }
+
+    fn arm(&self, from: PointId, to: PointId) -> Vector {
+        self.places.arm(from, to)
+    }
+
+    fn guide(&self, slider: SliderId) -> Vector {
+        Places::guide(&self.places, slider)
+    }
+
+    fn given(&self, number: f64) -> Ball {
+        self.places.given(number)
+    }
+
+    fn omega(&self, body: BodyId, omega: f64) -> Ball {
+        self.places.omega(body, omega)
+    }
+}
+
+impl Posed for Loaded<'_> {
+    fn axis(&self, body: BodyId) -> Vector {
+        self.enclosure.placed.turns[body.0].unwrap_or_default()
+    }
+
+    fn local(&self, body: BodyId, point: PointId) -> Vector {
+        self.locals.place(body, point).unwrap_or_default()
+    }
+
+    fn state(&self) -> &State {
+        &self.enclosure.state
     }
 }
 

@@ -6,12 +6,14 @@ use super::leg::DrawnSpecial;
 use super::markup::{no_construction, plain_text};
 use super::step::Action;
 use super::writer::Writer;
+use crate::forces::{AtPose, Forces, forces};
 use crate::mechanism::{AngularRate, BodyId, Group, LoopEquations, Mechanism, PointId};
 use crate::motion::{Motion, MotionError, motion};
 use crate::position::Pose;
 use crate::scene::{ConstructionShown, Scene};
 use crate::sheet::Order;
 use crate::words::{Language, Wording};
+use std::sync::OnceLock;
 
 /// A solved scene: the mechanism in one position with its motion and its plans. Input of figures, results, steps and
 /// checks.
@@ -29,6 +31,8 @@ pub struct Solution {
     pub construction: Construction,
     /// The same with the velocity plan turned, where the figure asks for it: see [`Solution::shown_construction`].
     pub turned: Option<Box<Construction>>,
+    /// The forces, once they are asked for.
+    forces: OnceLock<Option<Box<Forces>>>,
 }
 
 impl Solution {
@@ -43,7 +47,7 @@ impl Solution {
         // A work sheet is drawn on.
         let turned = scene.figure.turned.filter(|_| !scene.figure.worksheet);
         let turned = turned.map(|sense| Box::new(construction.turned(sense)));
-        Ok(Self { scene, mechanism, pose, motion, construction, turned })
+        Ok(Self { scene, mechanism, pose, motion, construction, turned, forces: OnceLock::new() })
     }
 
     /// The solution of the mechanism in another position.
@@ -52,6 +56,16 @@ impl Solution {
     /// [`MotionError`] in a singular position.
     pub fn moved(&self, pose: Pose) -> Result<Self, MotionError> {
         Self::new(self.scene.clone(), self.mechanism.clone(), pose, self.motion.order)
+    }
+
+    /// What joints carry and drives need; `None` for a scene without loads, and where a number leaves the range of f64.
+    #[must_use]
+    pub fn forces(&self) -> Option<&Forces> {
+        let found = || {
+            let posed = AtPose::new(&self.mechanism, &self.pose);
+            forces(self.scene.loads.as_ref()?, self.scene.units, &self.mechanism, &posed).map(Box::new)
+        };
+        self.forces.get_or_init(found).as_deref()
     }
 
     /// The construction as figures and steps show it: with the velocity plan turned, where the figure asks for it. What a hand draws or

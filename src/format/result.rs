@@ -1,3 +1,4 @@
+use super::forces::ForcesResult;
 use crate::accuracy::says::unbounded;
 use crate::accuracy::{Bounds, bounds};
 use crate::construction::{Solution, coincident_name};
@@ -6,7 +7,7 @@ use crate::drawing::FigureSheets;
 use crate::geometry::{Place, Point, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::quantity::{Band, Pencil, Quantity, QuantityRequest, Unread, measured_names};
-use crate::scene::{SceneError, Units};
+use crate::scene::{ForceUnit, MassUnit, SceneError, Units};
 use crate::sheet::{Order, Scales};
 use crate::words::Wording;
 use indexmap::IndexMap;
@@ -42,6 +43,9 @@ pub struct ResultFile {
     /// By quantity name: bound on its error, of a vector that of each component, of an angle in degrees.
     #[schemars(with = "IndexMap<String, Option<f64>>")]
     pub quantity_errors: IndexMap<String, f64>,
+    /// What joints carry and drives need; only of a scene with loads.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub forces: Option<ForcesResult>,
     /// How far hand drawings are from these numbers; only where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pencil: Option<PencilResult>,
@@ -60,6 +64,23 @@ pub struct ResultUnits {
     pub length: &'static str,
     /// Unit of time.
     pub time: &'static str,
+    /// Unit of mass.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass: Option<&'static str>,
+    /// Unit of force; moments are in force · length.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force: Option<&'static str>,
+}
+
+impl ResultUnits {
+    fn of(units: Units) -> ResultUnits {
+        ResultUnits {
+            length: units.length.as_str(),
+            time: units.time.as_str(),
+            mass: units.mass.map(MassUnit::as_str),
+            force: units.force.map(ForceUnit::as_str),
+        }
+    }
 }
 
 /// The motion of a link.
@@ -312,7 +333,7 @@ impl Solution {
         });
         ResultFile {
             kinegon: 1,
-            units: ResultUnits { length: scene.units.length.as_str(), time: scene.units.time.as_str() },
+            units: ResultUnits::of(scene.units),
             links: links.collect(),
             points: points(self, bounds),
             sliders: sliders.collect(),
@@ -320,6 +341,7 @@ impl Solution {
             groups: groups.collect(),
             quantities: IndexMap::new(),
             quantity_errors: IndexMap::new(),
+            forces: self.forces().map(|forces| ForcesResult::new(self, forces, bounds)),
             pencil: None,
             warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).collect(),
             notes: told_turning_back(self, &Wording::default()),
