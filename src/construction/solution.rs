@@ -13,7 +13,6 @@ use crate::position::Pose;
 use crate::scene::{ConstructionShown, Scene};
 use crate::sheet::Order;
 use crate::words::{Language, Wording};
-use std::sync::OnceLock;
 
 /// A solved scene: the mechanism in one position with its motion and its plans. Input of figures, results, steps and
 /// checks.
@@ -31,8 +30,6 @@ pub struct Solution {
     pub construction: Construction,
     /// The same with the velocity plan turned, where the figure asks for it: see [`Solution::shown_construction`].
     pub turned: Option<Box<Construction>>,
-    /// The forces, once they are asked for.
-    forces: OnceLock<Option<Box<Forces>>>,
 }
 
 impl Solution {
@@ -47,7 +44,7 @@ impl Solution {
         // A work sheet is drawn on.
         let turned = scene.figure.turned.filter(|_| !scene.figure.worksheet);
         let turned = turned.map(|sense| Box::new(construction.turned(sense)));
-        Ok(Self { scene, mechanism, pose, motion, construction, turned, forces: OnceLock::new() })
+        Ok(Self { scene, mechanism, pose, motion, construction, turned })
     }
 
     /// The solution of the mechanism in another position.
@@ -58,14 +55,11 @@ impl Solution {
         Self::new(self.scene.clone(), self.mechanism.clone(), pose, self.motion.order)
     }
 
-    /// What joints carry and drives need; `None` for a scene without loads, and where a number leaves the range of f64.
+    /// What joints carry and drives need, found anew; `None` for a scene without loads, and where a number leaves the range of f64.
     #[must_use]
-    pub fn forces(&self) -> Option<&Forces> {
-        let found = || {
-            let posed = AtPose::new(&self.mechanism, &self.pose);
-            forces(self.scene.loads.as_ref()?, self.scene.units, &self.mechanism, &posed).map(Box::new)
-        };
-        self.forces.get_or_init(found).as_deref()
+    pub fn forces(&self) -> Option<Forces> {
+        let loads = self.scene.loads.as_ref()?;
+        forces(loads, self.scene.units, &self.mechanism, &AtPose::new(&self.mechanism, &self.pose))
     }
 
     /// The construction as figures and steps show it: with the velocity plan turned, where the figure asks for it. What a hand draws or

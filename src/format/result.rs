@@ -341,7 +341,7 @@ impl Solution {
             groups: groups.collect(),
             quantities: IndexMap::new(),
             quantity_errors: IndexMap::new(),
-            forces: self.forces().map(|forces| ForcesResult::new(self, forces, bounds)),
+            forces: self.forces().map(|forces| ForcesResult::new(self, &forces, bounds)),
             pencil: None,
             warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).collect(),
             notes: told_turning_back(self, &Wording::default()),

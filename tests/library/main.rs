@@ -11,6 +11,7 @@
 //! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles, `studies` the assemblies of a study's mechanisms to those of each by itself; `planted_modes` and
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
 //!   `levers` turns slotted levers round.
+//! - Forces: `forces` holds what joints and drives carry to 35 cases of 60 digits, to virtual power, to energy over a turn and to momentum.
 //! - Drives: `driven_sliders` holds cylinders and telescopes to independent truth, from lengths and as drawn, and
 //!   their plans to closing; `driven_cycles` moves each of their drives; `cycle` holds paths to closed forms, random
 //!   mechanisms and finite differences.
@@ -64,6 +65,7 @@ mod editing;
 mod error_bounds;
 mod films;
 mod first_wrong;
+mod forces;
 mod forms;
 mod fuzzed;
 mod gallery_measured;
