@@ -132,7 +132,7 @@ pub(super) struct SpringFile {
     /// Its name in tables and figures; left out: K1, K2 …
     name: Option<String>,
     /// Its two ends, each a link or "ground" and a place of it.
-    between: [EndFile; 2],
+    between: Vec<EndFile>,
     /// Force per length of extension.
     rate: f64,
     /// Its length without a force.
@@ -151,8 +151,6 @@ impl Write for EndFile {
         Written::List(vec![self.0.written(), self.1.written()])
     }
 }
-
-write_forms! { [EndFile; 2] { ends => &ends.to_vec() } }
 
 /// A spring: it pulls its ends together with `rate` times what it is longer than `length`.
 #[derive(Debug, Clone, PartialEq)]
@@ -245,7 +243,7 @@ fn not_negative(key: &str, value: f64) -> Result<f64, Wrong> {
     if value < 0.0 { Err(Wrong::value(&[key], says::below_zero(key, number(value)))) } else { Ok(value) }
 }
 
-/// The checked loads; none where no key of them is given.
+/// The checked loads; none where no link has a mass and there is no force and no spring.
 pub(super) fn loads(
     given_by: GivenBy,
     names: &Names<'_>,
@@ -253,13 +251,9 @@ pub(super) fn loads(
     fields: LoadFields,
 ) -> Result<Option<Box<Loads>>, Wrong> {
     let LoadFields { analysis, gravity, masses, forces, springs } = fields;
-    let is_absent = masses.is_empty() && forces.is_none() && springs.is_none();
-    if is_absent {
-        return match (analysis, gravity) {
-            (None, None) => Ok(None),
-            (Some(_), _) => Err(Wrong::key(&["analysis"], says::nothing_loads()).hint(says::add_mass_or_force())),
-            (None, Some(_)) => Err(Wrong::key(&["gravity"], says::nothing_loads()).hint(says::add_mass_or_force())),
-        };
+    // Gravity alone loads nothing.
+    if masses.is_empty() && forces.is_none() && springs.is_none() {
+        return Ok(None);
     }
     let places = Places { given_by, names };
     let gravity = gravity.map_or([0.0; 2], |Vector(gravity)| gravity);
@@ -343,7 +337,10 @@ impl Places<'_> {
         let SpringFile { name, between, rate, length } = file;
         not_negative("rate", rate)?;
         not_negative("length", length)?;
-        let [first, second] = between;
+        let count = between.len();
+        let Ok([first, second]) = <[EndFile; 2]>::try_from(between) else {
+            return Err(Wrong::value(&["between"], says::spring_ends(count)).hint(says::spring_between_links()));
+        };
         let end = |index, end| self.end(end).map_err(|wrong| wrong.inside(&["between", index]));
         let ends = [end("0", first)?, end("1", second)?];
         if ends[0].on == ends[1].on {
@@ -372,10 +369,10 @@ impl Places<'_> {
 fn own_name(given: Option<String>, letter: &str, before: usize, taken: &mut IndexSet<String>) -> Result<String, Wrong> {
     let name = given.unwrap_or_else(|| format!("{letter}{}", before + 1));
     if name.trim().is_empty() || name.contains(['(', ')', ',']) {
-        return Err(Wrong::value(&["name"], says::load_name(&name)).hint(says::other_name()));
+        return Err(Wrong::value(&["name"], says::load_name(&name)).hint(says::other_load_name()));
     }
     if !taken.insert(name.clone()) {
-        return Err(Wrong::value(&["name"], says::load_name_twice(&name)).hint(says::other_name()));
+        return Err(Wrong::value(&["name"], says::load_name_twice(&name)).hint(says::other_load_name()));
     }
     Ok(name)
 }

@@ -259,8 +259,6 @@ messages! { "scene":
     no_center(link);
     add_center;
     below_zero(key, value);
-    nothing_loads;
-    add_mass_or_force;
     no_unit_of_force;
     add_unit_of_force;
     distance_is_drawn(link);
@@ -276,6 +274,8 @@ messages! { "scene":
     distance_on_ground;
     load_name(name);
     load_name_twice(name);
+    other_load_name;
+    spring_ends(count);
 
     // The figure.
     scale_is(key, what);

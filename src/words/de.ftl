@@ -740,8 +740,6 @@ scene-add_gravity = ergänzen Sie `"gravity": [0, -9810]` (in mm und s), oder ge
 scene-no_center = Glied {$link} hat eine Masse, aber keinen Schwerpunkt
 scene-add_center = ergänzen Sie `"center"`: einen Punkt wie "C", Koordinaten [x, y] im System des Glieds, oder einen Abstand entlang seiner Achse
 scene-below_zero = `{$key}` ist {$value}, kleiner als null
-scene-nothing_loads = nichts belastet die Glieder: keines hat eine Masse, und es gibt weder Kraft noch Feder
-scene-add_mass_or_force = geben Sie einem Glied eine Masse, oder ergänzen Sie `"forces"`
 scene-no_unit_of_force = es gibt Lasten, aber die Szene hat keine Krafteinheit
 scene-add_unit_of_force = ergänzen Sie `"force": "N"` in `units`
 scene-distance_is_drawn = ein Abstand entlang der Achse von Glied {$link}, aber diese Szene ist eine gezeichnete Stellung
@@ -757,6 +755,8 @@ scene-no_point_of_ground = das Gestell hat keinen Punkt {$point}
 scene-distance_on_ground = das Gestell hat keine Achse; geben Sie einen Punkt oder Koordinaten [x, y] an
 scene-load_name = `{$name}` kann nicht der Name einer Last sein: ein Name ist nicht leer und hat kein ( ) und kein Komma
 scene-load_name_twice = zwei Lasten haben den Namen {$name}
+scene-other_load_name = wählen Sie einen anderen Namen für die Last
+scene-spring_ends = eine Feder hat zwei Enden, nicht {$count}
 
 # The figure.
 

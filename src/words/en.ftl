@@ -770,8 +770,6 @@ scene-add_gravity = add `"gravity": [0, -9810]` (in mm and s), or give a mass
 scene-no_center = link {$link} has a mass, but no centre of mass
 scene-add_center = add `"center"`: a point as "C", coordinates [x, y] in the frame of the link, or a distance along its axis
 scene-below_zero = `{$key}` is {$value}, below zero
-scene-nothing_loads = nothing loads the links: none has a mass, and there is no force and no spring
-scene-add_mass_or_force = give a link a mass, or add `"forces"`
 scene-no_unit_of_force = there are loads, but the scene has no unit of force
 scene-add_unit_of_force = add `"force": "N"` to `units`
 scene-distance_is_drawn = a distance along the axis of link {$link}, but this scene is a drawn configuration
@@ -787,6 +785,8 @@ scene-no_point_of_ground = the ground has no point {$point}
 scene-distance_on_ground = the ground has no axis; give a point or coordinates [x, y]
 scene-load_name = `{$name}` cannot be the name of a load: a name is not empty and has no ( ) or comma
 scene-load_name_twice = two loads have the name {$name}
+scene-other_load_name = choose another name for the load
+scene-spring_ends = a spring has two ends, not {$count}
 
 # The figure.
 

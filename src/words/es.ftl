@@ -738,8 +738,6 @@ scene-add_gravity = añada `"gravity": [0, -9810]` (en mm y s), o dé una masa
 scene-no_center = el eslabón {$link} tiene masa, pero no centro de masa
 scene-add_center = añada `"center"`: un punto como "C", coordenadas [x, y] en el sistema del eslabón, o una distancia a lo largo de su eje
 scene-below_zero = `{$key}` es {$value}, menor que cero
-scene-nothing_loads = nada carga los eslabones: ninguno tiene masa, y no hay fuerza ni resorte
-scene-add_mass_or_force = dé masa a un eslabón, o añada `"forces"`
 scene-no_unit_of_force = hay cargas, pero la escena no tiene unidad de fuerza
 scene-add_unit_of_force = añada `"force": "N"` a `units`
 scene-distance_is_drawn = una distancia a lo largo del eje del eslabón {$link}, pero esta escena es una configuración dibujada
@@ -755,6 +753,8 @@ scene-no_point_of_ground = el bastidor no tiene el punto {$point}
 scene-distance_on_ground = el bastidor no tiene eje; dé un punto o coordenadas [x, y]
 scene-load_name = `{$name}` no puede ser el nombre de una carga: un nombre no está vacío y no tiene ( ) ni coma
 scene-load_name_twice = dos cargas tienen el nombre {$name}
+scene-other_load_name = elija otro nombre para la carga
+scene-spring_ends = un resorte tiene dos extremos, no {$count}
 
 # The figure.
 

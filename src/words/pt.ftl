@@ -740,8 +740,6 @@ scene-add_gravity = acrescente `"gravity": [0, -9810]` (em mm e s), ou dê uma m
 scene-no_center = o elo {$link} tem massa, mas não centro de massa
 scene-add_center = acrescente `"center"`: um ponto como "C", coordenadas [x, y] no sistema do elo, ou uma distância ao longo do seu eixo
 scene-below_zero = `{$key}` é {$value}, menor que zero
-scene-nothing_loads = nada carrega os elos: nenhum tem massa, e não há força nem mola
-scene-add_mass_or_force = dê massa a um elo, ou acrescente `"forces"`
 scene-no_unit_of_force = há cargas, mas a cena não tem unidade de força
 scene-add_unit_of_force = acrescente `"force": "N"` a `units`
 scene-distance_is_drawn = uma distância ao longo do eixo do elo {$link}, mas esta cena é uma configuração desenhada
@@ -757,6 +755,8 @@ scene-no_point_of_ground = a base não tem o ponto {$point}
 scene-distance_on_ground = a base não tem eixo; dê um ponto ou coordenadas [x, y]
 scene-load_name = `{$name}` não pode ser o nome de uma carga: um nome não é vazio e não tem ( ) nem vírgula
 scene-load_name_twice = duas cargas têm o nome {$name}
+scene-other_load_name = escolha outro nome para a carga
+scene-spring_ends = uma mola tem duas extremidades, não {$count}
 
 # The figure.
 
