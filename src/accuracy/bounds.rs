@@ -89,6 +89,10 @@ impl<'a> Bounds<'a> {
         Snapshot { pose: self.pose, motion: self.motion }
     }
 
+    pub(super) fn enclosure(&self) -> Option<&Enclosure> {
+        self.enclosure.as_ref()
+    }
+
     /// The plans within the enclosure; `None` without them, or without an enclosure.
     pub(super) fn plans(&self) -> Option<&Values<Ball>> {
         let enclosed = || Some(self.construction?.enclosed(self.enclosure.as_ref()?));

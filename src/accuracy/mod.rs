@@ -19,6 +19,7 @@ mod given;
 mod locals;
 mod placed;
 mod places;
+mod poles;
 mod quantities;
 #[doc(hidden)] // for tests
 pub mod says;

@@ -42,8 +42,8 @@ pub use self::pdf::{PdfError, pdf_pages};
 #[cfg(feature = "png")]
 pub use self::png::PngError;
 pub use self::result::{
-    BandResult, GroupResult, LinkResult, PencilResult, PointResult, QuantityResult, ResultFile, ResultUnits,
-    SliderResult, pencil_result, result_schema,
+    BandResult, CenterResult, GroupResult, LinkResult, PencilResult, PointResult, QuantityResult, ResultFile,
+    ResultUnits, SliderResult, pencil_result, result_schema,
 };
 pub use self::steps::step_values;
 pub use self::structure::{listed_modes, mode, structure};

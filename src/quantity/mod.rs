@@ -12,6 +12,7 @@
 
 mod band;
 mod name;
+mod poles;
 mod reading;
 #[doc(hidden)] // for tests
 pub mod says;
@@ -22,7 +23,8 @@ pub use crate::scene::{Component, Head, QuantityName};
 pub use crate::sheet::QuantityKind;
 pub use band::{Band, Pencil, pencil, step_pencil};
 pub use name::{
-    AccelerationPart, QuantityError, QuantityRequest, Spot, What, measured_names, readable_names, step_names,
+    AccelerationPart, Pole, PoleOf, QuantityError, QuantityRequest, Spot, What, measured_names, readable_names,
+    step_names,
 };
 pub use reading::{Reading, Sense, Unread, read_by_hand};
 pub use value::{Quantity, Snapshot, State};

@@ -110,6 +110,7 @@ impl Reader<'_> {
             What::SlidePosition(id) => self.slide_position(name, *id)?,
             What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
             What::Length(a, b) => return self.length(name, a, b),
+            What::Pole(_) | What::InflectionDiameter(_) | What::PathRadius(_) => return Err(Unread::NotDrawn),
             What::Segment(order, ends) if asked.written.component.is_some() => {
                 return self.direction(*order, ends, name);
             }
@@ -311,6 +312,7 @@ impl Reader<'_> {
             Spot::Point(_, point, name) => {
                 (self.writer.mechanism.point_name(*point) == name).then_some(End::Joint(*point))
             }
+            Spot::Pole(_) => None,
             Spot::Special(name) => {
                 let mut special = self.writer.construction.special.iter();
                 special.position(|s| s.name == *name).map(|index| End::Special(SpecialId(index)))
@@ -322,6 +324,7 @@ impl Reader<'_> {
         match spot {
             Spot::Point(_, point, _) => Ok(self.writer.plot(*point)),
             Spot::Special(name) => self.writer.construction.place(Sheet::Scheme, name).ok_or(Unread::NoConstruction),
+            Spot::Pole(_) => Err(Unread::NotDrawn),
         }
     }
 
@@ -335,6 +338,7 @@ impl Reader<'_> {
                 Ok(self.writer.motion(order, holder, *point))
             }
             (None, Spot::Special(_)) => Err(Unread::NoConstruction),
+            (None, Spot::Pole(_)) => Err(Unread::NotDrawn),
         }
     }
 

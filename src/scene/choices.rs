@@ -101,6 +101,21 @@ choice! {
 }
 
 choice! {
+    /// The letter of instant centres.
+    #[schemars(rename = "center")]
+    #[derive(Default)]
+    CenterName {
+        /// P_13
+        #[default]
+        P = "P",
+        /// I_13
+        I = "I",
+        /// CIR_13, centro instantáneo de rotación
+        Cir = "CIR",
+    }
+}
+
+choice! {
     /// The number of the frame, in place of the word for it.
     #[schemars(rename = "frame")]
     FrameName {

@@ -8,8 +8,8 @@ use serde_json::{Map, Value as Json, json};
 use std::ops::RangeInclusive;
 
 use super::choices::{
-    ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, NotationName, Page, PageSize, ScalesFor,
-    Sizes, SlidingName, StyleName, TurnedName, ValuesShown,
+    CenterName, ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, NotationName, Page, PageSize,
+    ScalesFor, Sizes, SlidingName, StyleName, TurnedName, ValuesShown,
 };
 use super::error::{Wrong, list, number, shortened};
 use super::given::GivenBy;
@@ -57,6 +57,9 @@ pub struct Figure {
     pub sliding: SlidingName,
     /// The index of Coriolis accelerations; left out: that of the notation.
     pub coriolis: Option<CoriolisName>,
+    /// How instant centres are written: P_13, I_13 or CIR_13; left out: "P".
+    #[schemars(with = "Option<CenterName>")]
+    pub center_letter: CenterName,
     /// The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word.
     pub frame: Option<FrameName>,
     /// The sense in which figures and steps show the velocity plan turned by 90°; sheets to be drawn on, keys and checks have it as
@@ -103,7 +106,7 @@ pub struct Figure {
 }
 
 write_keys!(Figure {
-    panels, mu, scales, focus, page, worksheet, style, notation, sliding, coriolis, frame, turned, language,
+    panels, mu, scales, focus, page, worksheet, style, notation, sliding, coriolis, center_letter, frame, turned, language,
     decimal, labels, special_points, construction, values, step, trace, beyond_limits, ghosts, markers; sizes, usual_values
 } unless Figure::default());
 
@@ -143,6 +146,7 @@ impl Default for Figure {
             notation: NotationName::default(),
             sliding: SlidingName::default(),
             coriolis: None,
+            center_letter: CenterName::default(),
             frame: None,
             turned: None,
             language: LanguageName::default(),

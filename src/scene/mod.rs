@@ -36,8 +36,9 @@ mod write;
 
 pub use build::{Builder, Guide, NewLink, Push, Turn};
 pub use choices::{
-    ConstructionShown, CoriolisName, DecimalMark, ForceUnit, FrameName, LanguageName, LengthUnit, MassUnit, Measure,
-    NotationName, Page, PageSize, ScalesFor, Sizes, SlidingName, StyleName, TimeUnit, TurnedName, Units, ValuesShown,
+    CenterName, ConstructionShown, CoriolisName, DecimalMark, ForceUnit, FrameName, LanguageName, LengthUnit, MassUnit,
+    Measure, NotationName, Page, PageSize, ScalesFor, Sizes, SlidingName, StyleName, TimeUnit, TurnedName, Units,
+    ValuesShown,
 };
 pub use error::{Place, SceneError};
 pub use figure::Figure;

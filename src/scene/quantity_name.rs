@@ -51,6 +51,14 @@ pub enum Head {
     Between(Sheet),
     /// The instant centre of two links.
     Center,
+    /// The inflection pole of a link.
+    InflectionPole,
+    /// The diameter of a link's inflection circle.
+    InflectionDiameter,
+    /// The pole of accelerations of a link.
+    AccelerationPole,
+    /// The radius of curvature of a point's path.
+    PathRadius,
 }
 
 /// What stands between a name's parentheses.
@@ -85,7 +93,7 @@ impl Component {
 
 impl Head {
     /// The heads that are not the distance of two points: the word for each, what its arguments are, and the kind of its value.
-    const KNOWN: [(Head, &'static str, Argument, QuantityKind); 14] = [
+    const KNOWN: [(Head, &'static str, Argument, QuantityKind); 18] = [
         (Head::Omega, "omega", Argument::Link, QuantityKind::AngularVelocity),
         (Head::Alpha, "alpha", Argument::Link, QuantityKind::AngularAcceleration),
         (Head::Angle, "angle", Argument::Link, QuantityKind::Angle),
@@ -100,6 +108,10 @@ impl Head {
         (Head::Normal, "a_n", Argument::Point, QuantityKind::Acceleration),
         (Head::Tangential, "a_t", Argument::Point, QuantityKind::Acceleration),
         (Head::Center, "P", Argument::Link, QuantityKind::Position),
+        (Head::InflectionPole, "W", Argument::Link, QuantityKind::Position),
+        (Head::InflectionDiameter, "d_i", Argument::Link, QuantityKind::Length),
+        (Head::AccelerationPole, "G", Argument::Link, QuantityKind::Position),
+        (Head::PathRadius, "rho", Argument::Point, QuantityKind::Length),
     ];
 
     fn of(word: &str) -> Option<Head> {
@@ -198,7 +210,12 @@ impl QuantityName {
     /// Whether accelerations have to be known for it.
     #[must_use]
     pub fn needs_accelerations(&self) -> bool {
-        matches!(self.head.kind(), QuantityKind::Acceleration | QuantityKind::AngularAcceleration)
+        let is_of_accelerations = match self.head {
+            Head::InflectionPole | Head::InflectionDiameter | Head::AccelerationPole | Head::PathRadius => true,
+            _ => matches!(self.head.kind(), QuantityKind::Acceleration | QuantityKind::AngularAcceleration),
+        };
+        is_of_accelerations
+            || self.arguments.iter().filter_map(|name| QuantityName::parse(name)).any(|pole| pole.needs_accelerations())
     }
 
     /// Whether it has neither a component nor `/mu` behind it.

@@ -950,7 +950,7 @@ accuracy-at_change = Verzweigungslage bei {$place}: Glieder {$links} könnten au
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` ist keine Größe; bekannte Formen: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3); Vektoren auch mit .x .y .size .angle, Strecken der Pläne mit /mu
+quantity-no_quantity = `{$name}` ist keine Größe; bekannte Formen: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D); Vektoren auch mit .x .y .size .angle, Strecken der Pläne mit /mu
 quantity-no_link = `{$quantity}`: es gibt hier kein Glied `{$name}`
 quantity-no_slider = `{$quantity}`: es gibt hier keinen Schieber `{$name}`
 quantity-no_point = `{$quantity}`: es gibt hier keinen Punkt `{$name}`
@@ -968,6 +968,12 @@ quantity-no_construction = es gibt keine Konstruktion
 quantity-at_infinity = der Sonderpunkt liegt im Unendlichen
 quantity-not_on_one_link = die beiden Punkte gehören nicht zu einem Glied
 quantity-no_plan = es gibt keinen solchen Plan
+quantity-centre_at_infinity = der Momentanpol liegt im Unendlichen und hat nur eine Richtung: `.angle`
+quantity-centre_at_place = der Momentanpol liegt an einem Ort: `.x`, `.y`
+quantity-rest_on_another = die Glieder ruhen gegeneinander
+quantity-link_turns_not = das Glied dreht sich nicht
+quantity-path_is_straight = die Bahn ist dort gerade, oder der Punkt ruht
+quantity-place_has_no_size = `{$name}` ist ein Ort und hat keinen Betrag; fragen Sie nach `.x` oder `.y`
 quantity-nowhere_in_range = in keiner Stellung des Bereichs
 quantity-no_scale_in_table = eine Tabelle hat keinen Maßstab
 

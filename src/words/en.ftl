@@ -983,7 +983,7 @@ accuracy-at_change = change point at {$place}: links {$links} could go on in ano
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` is no quantity; known forms: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3); vectors also with .x .y .size .angle, plan segments with /mu
+quantity-no_quantity = `{$name}` is no quantity; known forms: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D); vectors also with .x .y .size .angle, plan segments with /mu
 quantity-no_link = `{$quantity}`: there is no link `{$name}` here
 quantity-no_slider = `{$quantity}`: there is no slider `{$name}` here
 quantity-no_point = `{$quantity}`: there is no point `{$name}` here
@@ -1001,6 +1001,12 @@ quantity-no_construction = there is no construction
 quantity-at_infinity = the special point lies at infinity
 quantity-not_on_one_link = the two points are not on one link
 quantity-no_plan = there is no such plan
+quantity-centre_at_infinity = the centre lies at infinity, and has a direction alone: `.angle`
+quantity-centre_at_place = the centre lies at a place: `.x`, `.y`
+quantity-rest_on_another = the links rest on one another
+quantity-link_turns_not = the link does not turn
+quantity-path_is_straight = the path is straight there, or the point is at rest
+quantity-place_has_no_size = `{$name}` is a place, which has no size; ask for its `.x` or `.y`
 quantity-nowhere_in_range = it has none at any position of the range
 quantity-no_scale_in_table = a table has no scale
 

@@ -948,7 +948,7 @@ accuracy-at_change = punto de cambio en {$place}: los eslabones {$links} podría
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` no es una magnitud; formas conocidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3); los vectores también con .x .y .size .angle, los segmentos de los planos con /mu
+quantity-no_quantity = `{$name}` no es una magnitud; formas conocidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D); los vectores también con .x .y .size .angle, los segmentos de los planos con /mu
 quantity-no_link = `{$quantity}`: no existe aquí el eslabón `{$name}`
 quantity-no_slider = `{$quantity}`: no existe aquí la corredera `{$name}`
 quantity-no_point = `{$quantity}`: no existe aquí el punto `{$name}`
@@ -966,6 +966,12 @@ quantity-no_construction = no hay construcción
 quantity-at_infinity = el punto especial está en el infinito
 quantity-not_on_one_link = los dos puntos no están en un mismo eslabón
 quantity-no_plan = no existe ese plano
+quantity-centre_at_infinity = el centro está en el infinito y solo tiene dirección: `.angle`
+quantity-centre_at_place = el centro está en un lugar: `.x`, `.y`
+quantity-rest_on_another = los eslabones están en reposo uno respecto del otro
+quantity-link_turns_not = el eslabón no gira
+quantity-path_is_straight = la trayectoria es recta ahí, o el punto está en reposo
+quantity-place_has_no_size = `{$name}` es un lugar y no tiene módulo; pida su `.x` o su `.y`
 quantity-nowhere_in_range = no lo tiene en ninguna posición del intervalo
 quantity-no_scale_in_table = una tabla no tiene escala
 

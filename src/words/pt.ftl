@@ -950,7 +950,7 @@ accuracy-at_change = ponto de mudança em {$place}: os elos {$links} também pod
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` não é uma grandeza; formas conhecidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3); vetores também com .x .y .size .angle, segmentos dos polígonos com /mu
+quantity-no_quantity = `{$name}` não é uma grandeza; formas conhecidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D); vetores também com .x .y .size .angle, segmentos dos polígonos com /mu
 quantity-no_link = `{$quantity}`: não existe aqui o elo `{$name}`
 quantity-no_slider = `{$quantity}`: não existe aqui o cursor `{$name}`
 quantity-no_point = `{$quantity}`: não existe aqui o ponto `{$name}`
@@ -968,6 +968,12 @@ quantity-no_construction = não há construção
 quantity-at_infinity = o ponto especial está no infinito
 quantity-not_on_one_link = os dois pontos não estão em um mesmo elo
 quantity-no_plan = não existe esse polígono
+quantity-centre_at_infinity = o centro está no infinito e tem apenas direção: `.angle`
+quantity-centre_at_place = o centro está em um lugar: `.x`, `.y`
+quantity-rest_on_another = os elos estão em repouso um em relação ao outro
+quantity-link_turns_not = o elo não gira
+quantity-path_is_straight = a trajetória é reta ali, ou o ponto está em repouso
+quantity-place_has_no_size = `{$name}` é um lugar e não tem módulo; peça o seu `.x` ou `.y`
 quantity-nowhere_in_range = não o tem em nenhuma posição do intervalo
 quantity-no_scale_in_table = uma tabela não tem escala
 

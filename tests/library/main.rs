@@ -8,6 +8,8 @@
 //!   is hard on the way from a text's digits to them;
 //!   `paper_facts`, `published_numbers` and `worked` hold the paper and 20 textbook cases; `templates` holds every
 //!   starting scene to independent truth and its rates to finite differences.
+//! - Poles: `centers` holds instant centres, inflection poles and poles of accelerations to independent digits, of random mechanisms to 256 bits, and three
+//!   centres of three links to a line.
 //! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles, `studies` the assemblies of a study's mechanisms to those of each by itself; `planted_modes` and
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
 //!   `levers` turns slotted levers round.
@@ -50,6 +52,7 @@ mod assemblies;
 mod bad_scenes;
 mod boards;
 mod camera;
+mod centers;
 mod cheats;
 mod committed_files;
 mod complete_plans;
