@@ -31,6 +31,24 @@ pub(crate) struct Acting {
     pub couple: Ball,
 }
 
+/// A force and its moment about a body's reference place.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Wrench {
+    pub force: Pair<Ball>,
+    pub moment: Ball,
+}
+
+impl Wrench {
+    pub(super) fn add(&mut self, other: Wrench) {
+        self.force = self.force + other.force;
+        self.moment = self.moment + other.moment;
+    }
+
+    pub(super) fn times(self, factor: Ball) -> Wrench {
+        Wrench { force: self.force * factor, moment: self.moment * factor }
+    }
+}
+
 /// All loads on bodies whose equilibrium counts, the frame among them for what springs do to it.
 pub(super) fn acting(loads: &Loads, units: Units, mechanism: &Mechanism, posed: &impl Posed) -> Vec<Acting> {
     let here = Here { mechanism, posed };

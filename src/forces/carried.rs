@@ -1,7 +1,6 @@
 //! Forces in joints and drives, and what is read from them.
 
-use super::acting::{Acting, Source};
-use super::equilibrium::Wrench;
+use super::acting::{Acting, Source, Wrench};
 use crate::geometry::{Ball, Pair};
 use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
 

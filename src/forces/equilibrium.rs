@@ -1,29 +1,11 @@
 //! Equilibrium of every link, group by group from the last one to the first, then of the driven links.
 
 use super::Posed;
-use super::acting::{Acting, about};
+use super::acting::{Acting, Wrench, about};
 use super::carried::Carried;
 use crate::geometry::{Ball, Equations, Pair};
 use crate::mechanism::{BodyId, GROUND, JointId, Mechanism, Role};
 use smallvec::{SmallVec, smallvec};
-
-/// A force and its moment about a body's reference place.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Wrench {
-    pub force: Pair<Ball>,
-    pub moment: Ball,
-}
-
-impl Wrench {
-    fn add(&mut self, other: Wrench) {
-        self.force = self.force + other.force;
-        self.moment = self.moment + other.moment;
-    }
-
-    fn times(self, factor: Ball) -> Wrench {
-        Wrench { force: self.force * factor, moment: self.moment * factor }
-    }
-}
 
 /// What all joints carry.
 pub(super) struct JointForces {
