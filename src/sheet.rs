@@ -56,6 +56,10 @@ pub enum QuantityKind {
     Velocity,
     /// An acceleration, or a segment of the acceleration plan.
     Acceleration,
+    /// A force.
+    Force,
+    /// A torque or a couple.
+    Moment,
 }
 
 /// What there is to say of a sheet.

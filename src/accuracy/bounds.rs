@@ -63,9 +63,9 @@ impl<'a> Bounds<'a> {
     /// The forces within the enclosure; `None` without loads or an enclosure, or where the equations of a group may be singular.
     pub(crate) fn forces(&self) -> Option<&Forces> {
         let enclosed = || {
-            let enclosure = self.enclosure.as_ref()?;
+            let enclosure = self.enclosure.as_ref().filter(|_| self.mechanism.loads.is_some())?;
             let posed = Loaded::new(self.scene, self.mechanism, enclosure);
-            forces(self.scene.loads.as_ref()?, self.scene.units, self.mechanism, &posed)
+            forces(self.mechanism, &posed)
         };
         self.forces.get_or_init(enclosed).as_ref()
     }

@@ -163,8 +163,13 @@ impl Posed for Loaded<'_> {
         self.locals.place(body, point).unwrap_or_default()
     }
 
-    fn state(&self) -> &State {
-        &self.enclosure.state
+    fn acceleration(&self, body: BodyId, place: Vector) -> Vector {
+        let [_, acceleration] = self.enclosure.motion_at(body, place);
+        acceleration
+    }
+
+    fn alpha(&self, body: BodyId) -> Ball {
+        self.enclosure.state.body(body).alpha
     }
 }
 

@@ -6,7 +6,7 @@ use super::given::Vector;
 use crate::construction::{Rate, image_name, normal_name};
 use crate::geometry::{Ball, Number};
 use crate::mechanism::BodyId;
-use crate::quantity::{AccelerationPart, Component, Quantity, QuantityRequest, Spot, What};
+use crate::quantity::{AccelerationPart, Component, ForceRead, Quantity, QuantityRequest, Spot, What};
 use crate::sheet::{Order, Scales};
 
 /// The true value of a quantity, with its bound.
@@ -96,6 +96,10 @@ impl Bounds<'_> {
                 let (body, place) = self.true_place(e, spot)?;
                 TrueValue::Number(e.path_radius(body, place))
             }
+            What::Force(of, mechanism) => match of.read(mechanism, self.forces()?, |slider| e.guide(slider))? {
+                ForceRead::Number(number) => TrueValue::Number(number),
+                ForceRead::Vector(vector) => TrueValue::Vector(vector),
+            },
             What::Rate(_) | What::Angle(_) | What::SlidePosition(_) => return None,
         })
     }

@@ -58,8 +58,8 @@ impl Solution {
     /// What joints carry and drives need, found anew; `None` for a scene without loads, and where a number leaves the range of f64.
     #[must_use]
     pub fn forces(&self) -> Option<Forces> {
-        let loads = self.scene.loads.as_ref()?;
-        forces(loads, self.scene.units, &self.mechanism, &AtPose::new(&self.mechanism, &self.pose))
+        self.mechanism.loads.as_ref()?;
+        forces(&self.mechanism, &AtPose::new(&self.mechanism, &self.pose))
     }
 
     /// The construction as figures and steps show it: with the velocity plan turned, where the figure asks for it. What a hand draws or

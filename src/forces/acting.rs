@@ -93,9 +93,8 @@ impl<P: Posed> Here<'_, P> {
             all.push(Acting { source: Source::Weight, body, at: center, force, couple: none });
         }
         if analysis == Analysis::Dynamic {
-            let motion = self.posed.state().body(body).referred_to(center);
-            let couple = -(factor * self.posed.given(mass.inertia) * motion.alpha);
-            let force = motion.acceleration * -amount;
+            let couple = -(factor * self.posed.given(mass.inertia) * self.posed.alpha(body));
+            let force = self.posed.acceleration(body, center) * -amount;
             all.push(Acting { source: Source::Inertia, body, at: center, force, couple });
         }
     }

@@ -41,9 +41,11 @@ pub struct Forces {
     pub(crate) acting: Vec<Acting>,
     /// By joint.
     pub(crate) joints: Vec<Carried>,
+    /// By body: the torque of its drive; zero of others.
+    pub(crate) torques: Vec<Ball>,
     /// What links and springs do to the frame, about its first point.
     pub(crate) frame: Wrench,
-    /// What each drive needs: links first, then sliders.
+    /// What each drive needs, by both routes: links first, then sliders.
     pub drives: Vec<Drive>,
 }
 
@@ -77,6 +79,16 @@ impl Forces {
     /// The couple on a sliding link from its guide, about the slider's point.
     pub(crate) fn couple(&self, mechanism: &Mechanism, slider: SliderId) -> Ball {
         self.slider(mechanism, slider).couple
+    }
+
+    /// The torque of a link's drive.
+    pub(crate) fn torque(&self, link: BodyId) -> Ball {
+        self.torques[link.0]
+    }
+
+    /// The force of a slider's drive along the guide, whose direction is `guide`.
+    pub(crate) fn push(&self, mechanism: &Mechanism, slider: SliderId, guide: Pair<Ball>) -> Ball {
+        self.slider(mechanism, slider).force.dot(guide)
     }
 
     /// The load of a kind on a body.

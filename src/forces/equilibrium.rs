@@ -2,20 +2,10 @@
 
 use super::Posed;
 use super::acting::{Acting, Wrench, about};
-use super::carried::Carried;
+use super::carried::{Carried, Forces};
 use crate::geometry::{Ball, Equations, Pair};
 use crate::mechanism::{BodyId, GROUND, JointId, Mechanism, Role};
 use smallvec::{SmallVec, smallvec};
-
-/// What all joints carry.
-pub(super) struct JointForces {
-    /// By joint.
-    pub joints: Vec<Carried>,
-    /// By body: the torque of its drive; zero of others.
-    pub torques: Vec<Ball>,
-    /// What links and springs do to the frame, about its first point.
-    pub frame: Wrench,
-}
 
 /// What an unknown of the equations is.
 #[derive(Clone, Copy, Debug)]
@@ -35,19 +25,21 @@ enum Part {
 }
 
 /// What the joints carry, so that all links are in equilibrium; `None` where a group leaves it open.
-pub(super) fn carried(mechanism: &Mechanism, posed: &impl Posed, acting: &[Acting]) -> Option<JointForces> {
+pub(super) fn carried(mechanism: &Mechanism, posed: &impl Posed, acting: Vec<Acting>) -> Option<Forces> {
     let mut balance = Balance {
         mechanism,
         posed,
         about: mechanism.body_ids().map(|body| about(mechanism, posed, body)).collect(),
         loads: vec![Wrench::default(); mechanism.bodies.len()],
-        found: JointForces {
+        found: Forces {
+            drives: Vec::new(),
+            acting: Vec::new(),
             joints: vec![Carried::default(); mechanism.joints.len()],
             torques: vec![Ball::default(); mechanism.bodies.len()],
             frame: Wrench::default(),
         },
     };
-    for load in acting {
+    for load in &acting {
         let moment = load.couple + (load.at - balance.about[load.body.0]).cross(load.force);
         balance.loads[load.body.0].add(Wrench { force: load.force, moment });
     }
@@ -58,8 +50,8 @@ pub(super) fn carried(mechanism: &Mechanism, posed: &impl Posed, acting: &[Actin
         let joints = own_joint(mechanism, body).into_iter().collect::<Vec<JointId>>();
         balance.solve(&[body], &joints)?;
     }
-    balance.found.frame = balance.loads[GROUND.0];
-    Some(balance.found)
+    let frame = balance.loads[GROUND.0];
+    Some(Forces { acting, frame, ..balance.found })
 }
 
 /// The driven bodies, those that others push after those that they push.
@@ -105,7 +97,7 @@ struct Balance<'a, P> {
     about: Vec<Pair<Ball>>,
     /// By body: its loads, and what later groups hand on to it.
     loads: Vec<Wrench>,
-    found: JointForces,
+    found: Forces,
 }
 
 impl<P: Posed> Balance<'_, P> {

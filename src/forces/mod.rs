@@ -35,7 +35,6 @@ use crate::geometry::{Ball, Pair, Vector};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use crate::motion::{Places, State, bounded_motion};
 use crate::position::Pose;
-use crate::scene::{Loads, Units};
 use crate::sheet::Order;
 
 /// Where bodies are and how they move, for their forces.
@@ -44,17 +43,25 @@ pub(crate) trait Posed: Places {
     fn axis(&self, body: BodyId) -> Pair<Ball>;
     /// A point in the frame of its body.
     fn local(&self, body: BodyId, point: PointId) -> Pair<Ball>;
-    /// All motions.
-    fn state(&self) -> &State;
+    /// The acceleration of the body's point at a place.
+    fn acceleration(&self, body: BodyId, place: Pair<Ball>) -> Pair<Ball>;
+    /// The angular acceleration of a body.
+    fn alpha(&self, body: BodyId) -> Ball;
 }
 
-/// The forces in a mechanism with these loads; `None` where the equations of a group leave a number open, as they do in a singular
-/// position and beyond the range of f64.
-pub(crate) fn forces(loads: &Loads, units: Units, mechanism: &Mechanism, posed: &impl Posed) -> Option<Forces> {
-    let acting = acting::acting(loads, units, mechanism, posed);
-    let carried = equilibrium::carried(mechanism, posed, &acting)?;
-    let drives = power::drives(mechanism, posed, &acting, &carried)?;
-    Some(Forces { acting, joints: carried.joints, frame: carried.frame, drives })
+/// The forces in a mechanism, with the drives' torques by both routes; `None` without loads, and where the equations of a group leave a
+/// number open, as they do in a singular position and beyond the range of f64.
+pub(crate) fn forces(mechanism: &Mechanism, posed: &impl Posed) -> Option<Forces> {
+    let forces = in_equilibrium(mechanism, posed)?;
+    let drives = power::drives(mechanism, posed, &forces)?;
+    Some(Forces { drives, ..forces })
+}
+
+/// The same from the equilibrium of the links alone, for one of many positions: its [`Forces::drives`] are empty.
+pub(crate) fn in_equilibrium(mechanism: &Mechanism, posed: &impl Posed) -> Option<Forces> {
+    let (loads, units) = &**mechanism.loads.as_ref()?;
+    let acting = acting::acting(loads, *units, mechanism, posed);
+    equilibrium::carried(mechanism, posed, acting)
 }
 
 /// A pose and its motion, whose numbers count as exact.
@@ -102,7 +109,11 @@ impl Posed for AtPose<'_> {
         self.mechanism.local(body, point).coords.into()
     }
 
-    fn state(&self) -> &State {
-        &self.state
+    fn acceleration(&self, body: BodyId, place: Pair<Ball>) -> Pair<Ball> {
+        self.state.body(body).referred_to(place).acceleration
+    }
+
+    fn alpha(&self, body: BodyId) -> Ball {
+        self.state.body(body).alpha
     }
 }

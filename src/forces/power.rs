@@ -2,8 +2,7 @@
 
 use super::Posed;
 use super::acting::Acting;
-use super::carried::Drive;
-use super::equilibrium::JointForces;
+use super::carried::{Drive, Forces};
 use crate::geometry::{Ball, Vector};
 use crate::mechanism::{BodyId, Mechanism, Role, SliderId};
 use crate::motion::bounded_motion;
@@ -17,12 +16,7 @@ enum Driven {
 }
 
 /// What each drive needs, by both routes; `None` where a velocity has no bound.
-pub(super) fn drives(
-    mechanism: &Mechanism,
-    posed: &impl Posed,
-    acting: &[Acting],
-    carried: &JointForces,
-) -> Option<Vec<Drive>> {
+pub(super) fn drives(mechanism: &Mechanism, posed: &impl Posed, forces: &Forces) -> Option<Vec<Drive>> {
     let turned = mechanism.body_ids().filter(|&body| matches!(mechanism.body(body).role, Role::Driver { .. }));
     let pushed = mechanism.slider_ids().filter(|&slider| mechanism.slider(slider).drive.is_some());
     let all = turned.map(Driven::Body).chain(pushed.map(Driven::Slider));
@@ -32,11 +26,11 @@ pub(super) fn drives(
             let motion = state.body(load.body).referred_to(load.at);
             load.force.dot(motion.velocity) + load.couple * motion.omega
         };
-        let powers: Vec<Ball> = acting.iter().map(power).collect();
+        let powers: Vec<Ball> = forces.acting.iter().map(power).collect();
         let by_power = -powers.iter().fold(Ball::default(), |sum, &power| sum + power);
         let by_bodies = match driven {
-            Driven::Body(body) => carried.torques[body.0],
-            Driven::Slider(slider) => carried.joints[mechanism.slider_joint(slider).0].force.dot(posed.guide(slider)),
+            Driven::Body(body) => forces.torque(body),
+            Driven::Slider(slider) => forces.push(mechanism, slider, posed.guide(slider)),
         };
         let (body, slider) = match driven {
             Driven::Body(body) => (Some(body), None),

@@ -110,7 +110,9 @@ impl Reader<'_> {
             What::SlidePosition(id) => self.slide_position(name, *id)?,
             What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
             What::Length(a, b) => return self.length(name, a, b),
-            What::Pole(_) | What::InflectionDiameter(_) | What::PathRadius(_) => return Err(Unread::NotDrawn),
+            What::Pole(_) | What::InflectionDiameter(_) | What::PathRadius(_) | What::Force(..) => {
+                return Err(Unread::NotDrawn);
+            }
             What::Segment(order, ends) if asked.written.component.is_some() => {
                 return self.direction(*order, ends, name);
             }

@@ -144,6 +144,8 @@ position = Position
 length = Länge
 velocity = Geschwindigkeit
 acceleration = Beschleunigung
+force = Kraft
+moment = Moment
 in_unit = {$kind} in {$unit}
 drive_angle = Antriebswinkel {$symbol} in °
 drive_position = Position des Antriebs {$drive} in {$unit}
@@ -974,6 +976,10 @@ quantity-rest_on_another = die Glieder ruhen gegeneinander
 quantity-link_turns_not = das Glied dreht sich nicht
 quantity-path_is_straight = die Bahn ist dort gerade, oder der Punkt ruht
 quantity-place_has_no_size = `{$name}` ist ein Ort und hat keinen Betrag; fragen Sie nach `.x` oder `.y`
+quantity-no_loads = die Szene hat keine Massen, Kräfte oder Federn
+quantity-not_driven = es ist nicht angetrieben
+quantity-not_at_pin = dieses Glied hat kein Gelenk an diesem Bolzen
+quantity-no_forces = seine Lasten liegen außerhalb des Zahlenbereichs, oder die Stellung ist singulär
 quantity-nowhere_in_range = in keiner Stellung des Bereichs
 quantity-no_scale_in_table = eine Tabelle hat keinen Maßstab
 
@@ -1128,6 +1134,8 @@ check-position = eine Position
 check-length = eine Länge
 check-velocity = eine Geschwindigkeit
 check-acceleration = eine Beschleunigung
+check-force = eine Kraft
+check-moment = ein Moment
 
 # Tables.
 

@@ -161,6 +161,8 @@ position = Position
 length = Length
 velocity = Velocity
 acceleration = Acceleration
+force = Force
+moment = Moment
 in_unit = {$kind} in {$unit}
 drive_angle = Angle {$symbol} of the drive in °
 drive_position = Position of drive {$drive} in {$unit}
@@ -1007,6 +1009,10 @@ quantity-rest_on_another = the links rest on one another
 quantity-link_turns_not = the link does not turn
 quantity-path_is_straight = the path is straight there, or the point is at rest
 quantity-place_has_no_size = `{$name}` is a place, which has no size; ask for its `.x` or `.y`
+quantity-no_loads = the scene has no masses, forces or springs
+quantity-not_driven = it is not driven
+quantity-not_at_pin = that link has no joint at that pin
+quantity-no_forces = its loads leave the range of numbers, or the position is singular
 quantity-nowhere_in_range = it has none at any position of the range
 quantity-no_scale_in_table = a table has no scale
 
@@ -1161,6 +1167,8 @@ check-position = a position
 check-length = a length
 check-velocity = a velocity
 check-acceleration = an acceleration
+check-force = a force
+check-moment = a moment
 
 # Tables.
 

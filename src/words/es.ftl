@@ -142,6 +142,8 @@ position = Posición
 length = Longitud
 velocity = Velocidad
 acceleration = Aceleración
+force = Fuerza
+moment = Momento
 in_unit = {$kind} en {$unit}
 drive_angle = Ángulo {$symbol} del accionamiento en °
 drive_position = Posición del accionamiento {$drive} en {$unit}
@@ -972,6 +974,10 @@ quantity-rest_on_another = los eslabones están en reposo uno respecto del otro
 quantity-link_turns_not = el eslabón no gira
 quantity-path_is_straight = la trayectoria es recta ahí, o el punto está en reposo
 quantity-place_has_no_size = `{$name}` es un lugar y no tiene módulo; pida su `.x` o su `.y`
+quantity-no_loads = la escena no tiene masas, fuerzas ni resortes
+quantity-not_driven = no está accionado
+quantity-not_at_pin = ese eslabón no tiene articulación en ese perno
+quantity-no_forces = sus cargas salen del rango de los números, o la posición es singular
 quantity-nowhere_in_range = no lo tiene en ninguna posición del intervalo
 quantity-no_scale_in_table = una tabla no tiene escala
 
@@ -1126,6 +1132,8 @@ check-position = posición
 check-length = longitud
 check-velocity = velocidad
 check-acceleration = aceleración
+check-force = una fuerza
+check-moment = un momento
 
 # Tables.
 

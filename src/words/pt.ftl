@@ -144,6 +144,8 @@ position = Posição
 length = Comprimento
 velocity = Velocidade
 acceleration = Aceleração
+force = Força
+moment = Momento
 in_unit = {$kind} em {$unit}
 drive_angle = Ângulo {$symbol} do acionamento em °
 drive_position = Posição do acionamento {$drive} em {$unit}
@@ -974,6 +976,10 @@ quantity-rest_on_another = os elos estão em repouso um em relação ao outro
 quantity-link_turns_not = o elo não gira
 quantity-path_is_straight = a trajetória é reta ali, ou o ponto está em repouso
 quantity-place_has_no_size = `{$name}` é um lugar e não tem módulo; peça o seu `.x` ou `.y`
+quantity-no_loads = a cena não tem massas, forças nem molas
+quantity-not_driven = não é acionado
+quantity-not_at_pin = esse elo não tem junta nesse pino
+quantity-no_forces = as suas cargas saem do domínio dos números, ou a posição é singular
 quantity-nowhere_in_range = não o tem em nenhuma posição do intervalo
 quantity-no_scale_in_table = uma tabela não tem escala
 
@@ -1128,6 +1134,8 @@ check-position = posição
 check-length = comprimento
 check-velocity = velocidade
 check-acceleration = aceleração
+check-force = uma força
+check-moment = um momento
 
 # Tables.
 

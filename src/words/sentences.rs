@@ -186,6 +186,8 @@ sentences! {
     length;
     velocity;
     acceleration;
+    force;
+    moment;
     in_unit(kind, unit);
     drive_angle(symbol);
     drive_position(drive, unit);

@@ -231,6 +231,8 @@ fn names(language: &Language, kind: QuantityKind) -> (&str, &'static str) {
         QuantityKind::Length => (language.length(), "length"),
         QuantityKind::Velocity => (language.velocity(), "velocity"),
         QuantityKind::Acceleration => (language.acceleration(), "acceleration"),
+        QuantityKind::Force => (language.force(), "force"),
+        QuantityKind::Moment => (language.moment(), "moment"),
     }
 }
 
