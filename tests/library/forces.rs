@@ -4,6 +4,7 @@
 //! `tests/forces/README.md` says where the true numbers come from.
 
 use kinegon::Solution;
+use kinegon::cycle::{Drive, Path};
 use serde_json::{Value, json};
 use support::comparison::{decimal, entries};
 use support::exact::{Exact, exceeds};
@@ -312,6 +313,44 @@ fn units_of_mass_and_force_fit_each_other() {
         (moment(units("cm", "g", "mN"), 1.0, 1.0, 981.0), 9.81),
     ] {
         assert!((found - expected).abs() < 1e-12 * expected, "{found} {expected}");
+    }
+}
+
+/// Forces by name are those of the result, with the same bounds, and in a table those of each position.
+#[test]
+fn forces_have_names() {
+    let mut scene = four_bar(40.0);
+    scene["want"] = json!(["T(1)", "R(B,2)", "R(B,2).size", "R(C, 3).y", "R(A,ground).x"]);
+    let solution = solved(&scene.to_string()).expect("it is solved");
+    let forces = result(&solution)["forces"].clone();
+    let whole = serde_json::to_value(solution.whole_result().expect("all has values")).expect("a result is JSON");
+    let number = |json: &Value| json.as_f64().unwrap_or_else(|| panic!("{json}"));
+    let near = |a: &Value, b: &Value| assert!((number(a) - number(b)).abs() <= 1e-11 * number(b).abs(), "{a} {b}");
+    near(&whole["quantities"]["T(1)"], &forces["drives"]["1"]["torque"]);
+    for axis in 0..2 {
+        near(&whole["quantities"]["R(B,2)"][axis], &forces["reactions"]["B"]["2"]["force"][axis]);
+    }
+    near(&whole["quantities"]["R(C, 3).y"], &forces["reactions"]["C"]["3"]["force"][1]);
+    near(&whole["quantities"]["R(A,ground).x"], &forces["reactions"]["A"]["ground"]["force"][0]);
+    let error = number(&whole["quantity_errors"]["T(1)"]);
+    assert!(error > 0.0 && error < 1e-10 * number(&whole["quantities"]["T(1)"]).abs(), "{error:e}");
+
+    let drive = Drive::new(&solution.mechanism, None).expect("a crank");
+    let mut path = Path::new(&solution.mechanism, &solution.pose, drive).expect("it moves");
+    path.follow_to(260.0);
+    let asked = kinegon::quantity::QuantityRequest::new("T(1)", &solution.mechanism).expect("it is known");
+    for angle in [40.0, 100.0, 250.0] {
+        let mut walker = path.walker();
+        let there = walker.position(angle).expect("it has this position");
+        let found = asked.value(&there, None, None).expect("a value").as_number();
+        let expected = torque(&four_bar(angle));
+        assert!((found - expected).abs() < 1e-9 * expected.abs(), "{angle}: {found} {expected}");
+    }
+    for (name, why) in [
+        ("T(2)", "`T(2)` has no value here: it is not driven"),
+        ("R(C,1)", "`R(C,1)` has no value here: that link has no joint at that pin"),
+    ] {
+        assert_eq!(solution.quantity(name).unwrap_err().to_string(), why);
     }
 }
 
