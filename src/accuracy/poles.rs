@@ -4,9 +4,9 @@ use super::bounds::Bounds;
 use super::enclosure::Enclosure;
 use super::given::Vector;
 use crate::centers::{Center, Moved, Permanent, TrueCenter};
-use crate::geometry::{Ball, Point, degrees_of};
+use crate::geometry::{Ball, degrees_of};
 use crate::mechanism::{BodyId, PointId};
-use crate::quantity::{Component, Pole, PoleOf, Quantity, QuantityError, QuantityRequest, What, says};
+use crate::quantity::{Component, Pole, PoleOf, Quantity, QuantityError, QuantityRequest, State, What, says};
 use crate::sheet::Scales;
 
 impl Bounds<'_> {
@@ -16,13 +16,12 @@ impl Bounds<'_> {
         let What::Pole(pole) = &asked.what else { return None };
         let found = match self.enclosure()?.center(pole)? {
             TrueCenter::At(ball) => {
-                // Without bounds it may lie anywhere, where links turn almost alike.
-                let found =
-                    asked.place_of(pole, &self.snapshot()).map(|place| (place, self.of_vector(ball, place.coords)));
-                let rounded = || Point::from(ball.rounded());
-                let own = || (rounded(), self.of_vector(ball, rounded().coords));
-                let (place, error) = found.unwrap_or_else(|_| own());
-                Center::At { place, error }
+                // A pin is where the position has it. Any other place is rounded once: where links turn almost alike, numbers without bounds lose most digits.
+                let place = match &pole.of {
+                    PoleOf::Center(_, Some(Permanent::Pin(pin))) => self.snapshot().place(*pin),
+                    _ => ball.rounded().into(),
+                };
+                Center::At { place, error: self.of_vector(ball, place.coords) }
             }
             TrueCenter::AtInfinity { along, beyond } => {
                 let (direction, error) = TrueCenter::direction(along)?;

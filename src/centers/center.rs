@@ -1,5 +1,5 @@
 use super::poles::Moved;
-use crate::geometry::{Ball, Number, Pair, Point, Vector, degrees_of, unit};
+use crate::geometry::{Ball, Number, Pair, Point, UNIT_ROUNDOFF, Vector, degrees_of, unit};
 use crate::motion::BoundedMotion;
 
 /// Where the instant centre of two links lies, as far as it is certain; a point of the plane with those at infinity.
@@ -60,7 +60,12 @@ impl TrueCenter {
         let rounded = along.rounded();
         let direction = to_the_right(rounded)?;
         let along = if rounded.dot(&direction) < 0.0 { -along } else { along };
-        Some((direction, along.degrees_from(degrees_of(direction))))
+        // The direction is printed by its components, and as an angle.
+        let across = along.cross(direction.into()).largest() / along.dot(along).sqrt().smallest();
+        Some((
+            direction,
+            along.degrees_from(degrees_of(direction)).max(across.to_degrees() * (1.0 + 4.0 * UNIT_ROUNDOFF)),
+        ))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::context::SheetContext;
 use super::lines::Lines;
 use super::view::Series;
-use crate::cycle::Times;
+use crate::cycle::{Centrode, Times};
 use crate::text::Untrusted;
 use crate::words::{Medium, NumberStyle};
 
@@ -13,6 +13,8 @@ pub(super) const VALUE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7)
 pub(super) const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2).on(Medium::Figure);
 /// Number style of the steps between ticks.
 const STEP: NumberStyle = NumberStyle::significant(3).trimmed().in_full(-3, 6).on(Medium::Figure);
+/// Number style of the diameter of an inflection circle.
+const DIAMETER: NumberStyle = NumberStyle::significant(4).trimmed().in_full(-3, 6).on(Medium::Figure);
 /// Number style of the difference between construction and loop equations.
 const BOUND: NumberStyle = NumberStyle::bound().on(Medium::Figure);
 
@@ -54,8 +56,44 @@ fn routes(context: &SheetContext<'_>) -> (String, bool) {
     }
 }
 
-/// The sentence on the paths and their ticks, in markup.
+/// The sentences on what the scheme shows of a cycle besides the position, and on inflection circles, in markup.
 pub(super) fn sentence_on_paths(context: &SheetContext<'_>) -> Option<String> {
+    let all = ticks(context).into_iter().chain(centrodes(context)).chain(inflection(context));
+    let all: Vec<String> = all.collect();
+    (!all.is_empty()).then(|| all.join(" "))
+}
+
+/// The sentences on centrodes: of which links, and of which there are none.
+fn centrodes(context: &SheetContext<'_>) -> impl Iterator<Item = String> {
+    let (language, all) = (context.words.language, &context.traces.centrodes);
+    let has_curve = |centrode: &&Centrode| !centrode.fixed.is_empty();
+    let listed = |of: Vec<&Centrode>| {
+        let names: Vec<String> = of.iter().map(|centrode| context.shown(&centrode.name, None)).collect();
+        (!names.is_empty()).then(|| names.join(", "))
+    };
+    let (with, without): (Vec<&Centrode>, Vec<&Centrode>) = all.iter().partition(has_curve);
+    let with = listed(with).map(|links| language.centrodes(&links));
+    with.into_iter().chain(listed(without).map(|links| language.no_centrodes(&links)))
+}
+
+/// The sentences on inflection circles, each with its diameter.
+fn inflection(context: &SheetContext<'_>) -> impl Iterator<Item = String> {
+    let (solution, language) = (context.solution, context.words.language);
+    context.figure().inflection.iter().map(move |name| {
+        let link = context.shown(name, None);
+        match solution.inflection_circle(name) {
+            Some((_, [pole, inflection])) => {
+                let unit = solution.scene.units.length.as_str();
+                let diameter = context.words.write((inflection - pole).norm(), DIAMETER);
+                language.inflection_circle(&link, &format!("{diameter} {unit}"))
+            }
+            None => language.no_inflection_circle(&link),
+        }
+    })
+}
+
+/// The sentence on the paths and their ticks, in markup.
+fn ticks(context: &SheetContext<'_>) -> Option<String> {
     let Times { drive, step, time, .. } = context.traces.times.as_ref()?;
     let shown = |name: &str| context.shown(name, None);
     let points: Vec<String> = context.traces.paths.iter().map(|path| shown(&path.name)).collect();

@@ -18,6 +18,9 @@ pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneE
     remove_entries(document, &["forces"], &|load| load["on"] == *name)?;
     remove_entries(document, &["springs"], &|spring| ends(spring).any(|end| end[0] == *name))?;
     document.remove(&["near", &format!("angle({name})")])?;
+    for list in ["centrodes", "inflection"] {
+        remove_entries(document, &["figure", list], &|link| *link == *name)?;
+    }
     remove_named(document, &names, Named::Link, name)?;
     let is_elsewhere = |point: &String| {
         names.ground.contains(point) || names.links.iter().any(|(link, points)| link != name && points.contains(point))

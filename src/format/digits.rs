@@ -64,9 +64,12 @@ impl Solution {
             }
         }
         for (name, center) in &result.centers {
-            if let Some(CenterResult::AtInfinity { at_infinity, angle_error, .. }) = center {
+            let angle = format!("{name}.angle");
+            if let Some(CenterResult::AtInfinity { at_infinity, angle_error, .. }) = center
+                && !result.quantities.contains_key(&angle)
+            {
                 let direction = degrees_of(Vector::from(*at_infinity));
-                table.line(format!("{name}.angle"), direction, *angle_error, QuantityKind::Angle);
+                table.line(angle, direction, *angle_error, QuantityKind::Angle);
             }
         }
         table.lines

@@ -2,10 +2,11 @@
 
 use super::name::{Pole, PoleOf, QuantityError, QuantityRequest};
 use super::says;
-use super::value::State;
+use super::value::{Quantity, State};
 use crate::centers::{LinkPair, Moved, Permanent, to_the_right};
-use crate::geometry::{Pair, Place, Point, UNIT_ROUNDOFF, Vector, quarter_turn, span};
-use crate::mechanism::{BodyId, PointId};
+use crate::construction::Solution;
+use crate::geometry::{Pair, Place, Point, UNIT_ROUNDOFF, Vector, cross, quarter_turn, span};
+use crate::mechanism::{BodyId, GROUND, PointId};
 
 /// A centre farther away than this, in parts of the mechanism's size, is taken to be at infinity: of its place three digits would be right at most.
 const FAR: f64 = 1e12;
@@ -55,8 +56,10 @@ impl QuantityRequest {
 
     /// The radius of curvature of the path of a body's point.
     pub(super) fn path_radius(&self, body: BodyId, at: Point, state: &impl State) -> Result<f64, QuantityError> {
+        let [velocity, acceleration] = state.motion_at(body, at);
+        let is_curved = cross(velocity, acceleration).abs() > REST * velocity.norm() * acceleration.norm();
         let radius = moved(state, body, at).path_radius();
-        if radius.is_finite() { Ok(radius) } else { Err(self.none(says::path_is_straight())) }
+        if is_curved && radius.is_finite() { Ok(radius) } else { Err(self.none(says::path_is_straight())) }
     }
 
     /// The motion of the link of a pole about a point of it, and whether it turns.
@@ -69,6 +72,23 @@ impl QuantityRequest {
         let is_turning = moved.omega * moved.omega > TURNING_BACK * moved.alpha.abs()
             && speed <= FAR * size(pole, state) * moved.omega.abs();
         Ok((moved, is_turning))
+    }
+}
+
+impl Solution {
+    /// The instant centre of a link and the frame, and the link's inflection pole: the ends of a diameter of its inflection circle. `None` of a link that has none,
+    /// or without accelerations.
+    #[must_use]
+    pub fn inflection_circle(&self, link: &str) -> Option<(BodyId, [Point; 2])> {
+        let ground = &self.mechanism.body(GROUND).name;
+        let names = [format!("P({link},{ground})"), format!("W({link})")];
+        let [pole, inflection] = names.map(|name| self.quantity(&name).ok());
+        match (pole?, inflection?) {
+            (Quantity::Vector(pole), Quantity::Vector(inflection)) => {
+                Some((self.mechanism.link(link)?, [pole.into(), inflection.into()]))
+            }
+            _ => None,
+        }
     }
 }
 

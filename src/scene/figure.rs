@@ -90,6 +90,12 @@ pub struct Figure {
     /// Whether these paths go on, dashed, beyond limits of the drive, in the other assembly modes that the mechanism
     /// reaches there if another link moves it; left out: false.
     pub beyond_limits: bool,
+    /// Links whose centrodes over that cycle are drawn in the scheme: the curves of the instant centre of the link and the frame, in the frame and in the link.
+    #[schemars(extend("uniqueItems" = true))]
+    pub centrodes: Vec<String>,
+    /// Links whose inflection circles are drawn in the scheme, through instant centre and inflection pole.
+    #[schemars(extend("uniqueItems" = true))]
+    pub inflection: Vec<String>,
     /// Number of equally spaced positions over that cycle in which the links are drawn pale; left out: none.
     #[serde(deserialize_with = "count")]
     #[schemars(with = "Option<u16>", range(min = 2, max = 72))]
@@ -107,7 +113,7 @@ pub struct Figure {
 
 write_keys!(Figure {
     panels, mu, scales, focus, page, worksheet, style, notation, sliding, coriolis, center_letter, frame, turned, language,
-    decimal, labels, special_points, construction, values, step, trace, beyond_limits, ghosts, markers; sizes, usual_values
+    decimal, labels, special_points, construction, values, step, trace, beyond_limits, centrodes, inflection, ghosts, markers; sizes, usual_values
 } unless Figure::default());
 
 fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
@@ -158,6 +164,8 @@ impl Default for Figure {
             step: None,
             trace: Vec::new(),
             beyond_limits: false,
+            centrodes: Vec::new(),
+            inflection: Vec::new(),
             ghosts: None,
             markers: true,
             sizes: None,
@@ -243,15 +251,25 @@ pub(super) fn check_traced(
             return Err(Wrong::value(&path, says::point_twice(point)));
         }
     }
+    for (key, links) in [("centrodes", &figure.centrodes), ("inflection", &figure.inflection)] {
+        for (index, link) in links.iter().enumerate() {
+            let path = [key, &index.to_string()];
+            names.link(&path, link)?;
+            if links[..index].contains(link) {
+                return Err(Wrong::value(&path, says::link_twice(link)));
+            }
+        }
+    }
     if let Some(count) = figure.ghosts.filter(|count| !GHOSTS.contains(count)) {
         let (least, most) = (GHOSTS.start(), GHOSTS.end());
         let message = says::ghosts_between(*least, *most, count);
         return Err(Wrong::value(&["ghosts"], message));
     }
-    let (key, drawn, undriven) = match (figure.trace.first(), figure.ghosts) {
-        (Some(point), _) => ("trace", says::drawn_has_no_path(point), says::no_drive_no_path(point)),
-        (None, Some(_)) => ("ghosts", says::drawn_has_no_ghosts(), says::no_drive_no_ghosts()),
-        (None, None) => return Ok(()),
+    let (key, drawn, undriven) = match (figure.trace.first(), figure.centrodes.first(), figure.ghosts) {
+        (Some(point), ..) => ("trace", says::drawn_has_no_path(point), says::no_drive_no_path(point)),
+        (None, Some(link), _) => ("centrodes", says::drawn_has_no_centrodes(link), says::no_drive_no_centrodes(link)),
+        (None, None, Some(_)) => ("ghosts", says::drawn_has_no_ghosts(), says::no_drive_no_ghosts()),
+        (None, None, None) => return Ok(()),
     };
     if given_by == GivenBy::Drawing {
         return Err(Wrong::value(&[key], drawn).hint(says::lengths_and_drive()));

@@ -284,13 +284,21 @@ impl QuantityName {
     /// or where it is no name.
     #[must_use]
     pub fn reworded(written: &str, other: impl Fn(Argument, &str) -> Option<String>) -> Option<String> {
+        QuantityName::reworded_by(written, &other)
+    }
+
+    fn reworded_by(written: &str, other: &dyn Fn(Argument, &str) -> Option<String>) -> Option<String> {
         let head = QuantityName::parse(written)?.head;
         let (before, rest) = written.split_once('(')?;
         let (inner, tail) = rest.rsplit_once(')')?;
         let mut is_other = false;
         let reworded = head.split(inner)?.into_iter().enumerate().map(|(index, part)| {
             let name = part.trim();
-            let new = other(head.argument(index), name);
+            // A pole, as in `L(P(2,ground),B)`, is a name itself.
+            let new = match QuantityName::parse(name) {
+                Some(_) => QuantityName::reworded_by(name, other),
+                None => other(head.argument(index), name),
+            };
             is_other |= new.is_some();
             new.map_or_else(|| part.to_owned(), |new| part.replacen(name, &new, 1))
         });

@@ -132,6 +132,7 @@ messages! { "scene":
     called_note(what);
     called_ground;
     point_twice(point);
+    link_twice(link);
     point_twice_in_link(point, link);
     link_named(link);
     point_named(point);
@@ -291,9 +292,11 @@ messages! { "scene":
     other_frame;
     ghosts_between(least, most, count);
     drawn_has_no_path(point);
+    drawn_has_no_centrodes(link);
     drawn_has_no_ghosts;
     lengths_and_drive;
     no_drive_no_path(point);
+    no_drive_no_centrodes(link);
     no_drive_no_ghosts;
     give_drive;
     moving_points(all);

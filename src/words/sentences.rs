@@ -146,6 +146,10 @@ sentences! {
     paths(points, step, drive);
     paths_in_time(points, step, drive, time);
     path_of(point, unit);
+    centrodes(links);
+    no_centrodes(links);
+    inflection_circle(link, diameter);
+    no_inflection_circle(link);
     /// At another assembly mode.
     mode(number);
     modes_left_out(count);

@@ -1,6 +1,7 @@
 //! The scheme of the mechanism. From back to front: ghosts, areas, paths of points, cut lines, guides, the ground, links, blocks with the links
 //! on their pins, joints, special points, labels.
 
+mod centrodes;
 mod drives;
 mod links;
 pub(super) mod on_paper;
@@ -28,6 +29,8 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     scheme.other_modes(canvas);
     scheme.link_areas(canvas);
     scheme.paths(canvas);
+    scheme.centrodes(canvas);
+    scheme.inflection_circles(canvas);
     for special in context.special() {
         canvas.step = context.facts.step_of_special(&special.name);
         scheme.cuts(canvas, special);

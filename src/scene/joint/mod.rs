@@ -66,6 +66,7 @@ pub(crate) fn meaning(path: &[&str], is_key: bool) -> Option<Meaning> {
         (["links", _, "motion", "at"] | ["figure", "trace", _], false) => Meaning::Point,
         (["forces", _, "at"] | ["springs", _, "between", _, "1"], false) => Meaning::Point,
         (["forces", _, "on"] | ["springs", _, "between", _, "0"], false) => Meaning::Link,
+        (["figure", "centrodes" | "inflection", _], false) => Meaning::Link,
         (["links"], true) => Meaning::Link,
         (["near"], true) => Meaning::PointOrAngle,
         (["links", _, "lengths"], true) => Meaning::PairOfLink,
