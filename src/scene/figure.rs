@@ -133,7 +133,7 @@ impl Default for Figure {
     /// All three panels with everything on them, on A4 landscape, at scales that fit.
     fn default() -> Self {
         Figure {
-            panels: Sheet::ALL.to_vec(),
+            panels: Sheet::USUAL.to_vec(),
             mu: Scales::default(),
             scales: ScalesFor::default(),
             focus: None,

@@ -99,6 +99,7 @@ velocity_plan = Geschwindigkeitsplan
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, um {$angle}° gedreht
 acceleration_plan = Beschleunigungsplan
+centers = Momentanpole
 far_away = {$point}: {$distance} von {$from}
 far_in_plan = bis {$point}: {$distance}
 cut_at_edge = am Rand abgeschnitten
@@ -127,9 +128,11 @@ description = Felder: {$panels}. Assur-Gruppen: {$groups}.
 named_scheme = Lageplan
 named_velocity_plan = Geschwindigkeitsplan
 named_acceleration_plan = Beschleunigungsplan
+named_centers = Momentanpole
 described_scheme = der Mechanismus im Maßstab
 described_velocity_plan = sein Geschwindigkeitsplan
 described_acceleration_plan = sein Beschleunigungsplan
+described_centers = seine Momentanpole
 described_group = Klasse {$class}, Glieder {$links}
 higher = über IV
 
@@ -1021,6 +1024,7 @@ editing-held_try = ziehen Sie das Gelenk an einen anderen Ort
 drawing-scheme = der Lageplan
 drawing-velocity_plan = der Geschwindigkeitsplan
 drawing-acceleration_plan = der Beschleunigungsplan
+drawing-centers = die Figur der Momentanpole
 drawing-overflow = {$panel} passt bei {$key} = {$given} nicht in sein Feld und ist dort abgeschnitten; {$fitting} passt, oder ein größeres Blatt
 drawing-no_scale = keiner
 drawing-cost_of_list = die Maßstäbe lassen Platz für die Ergebnisliste: {$scales}

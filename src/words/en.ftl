@@ -106,6 +106,7 @@ velocity_plan = Velocity plan
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, turned by {$angle}°
 acceleration_plan = Acceleration plan
+centers = Instant centres
 # A special point that lies off the sheet.
 far_away = {$point}: {$distance} from {$from}
 # At the line to an image that lies off the panel.
@@ -141,9 +142,11 @@ description = Panels: {$panels}. Assur groups: {$groups}.
 named_scheme = scheme
 named_velocity_plan = velocity plan
 named_acceleration_plan = acceleration plan
+named_centers = instant centres
 described_scheme = the mechanism to scale
 described_velocity_plan = its velocity plan
 described_acceleration_plan = its acceleration plan
+described_centers = its instant centres
 described_group = class {$class}, links {$links}
 # The class of a group above class IV.
 higher = higher
@@ -1054,6 +1057,7 @@ editing-held_try = pull the joint to another place
 drawing-scheme = scheme
 drawing-velocity_plan = velocity plan
 drawing-acceleration_plan = acceleration plan
+drawing-centers = figure of instant centres
 drawing-overflow = the {$panel} does not fit into its panel at {$key} = {$given} and is cut off there; {$fitting} fits, or a larger sheet
 drawing-no_scale = none
 drawing-cost_of_list = scales leave room for the list of results: {$scales}

@@ -97,6 +97,7 @@ velocity_plan = Plano de velocidades
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, girado {$angle}°
 acceleration_plan = Plano de aceleraciones
+centers = Centros instantáneos
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = hasta {$point}: {$distance}
 cut_at_edge = recortado en el borde
@@ -125,9 +126,11 @@ description = Contiene: {$panels}. Grupos de Assur: {$groups}.
 named_scheme = esquema
 named_velocity_plan = plano de velocidades
 named_acceleration_plan = plano de aceleraciones
+named_centers = centros instantáneos
 described_scheme = el mecanismo a escala
 described_velocity_plan = su plano de velocidades
 described_acceleration_plan = su plano de aceleraciones
+described_centers = sus centros instantáneos
 described_group = clase {$class}, eslabones {$links}
 higher = superior
 
@@ -1019,6 +1022,7 @@ editing-held_try = arrastre la articulación a otro lugar
 drawing-scheme = el esquema
 drawing-velocity_plan = el plano de velocidades
 drawing-acceleration_plan = el plano de aceleraciones
+drawing-centers = la figura de centros instantáneos
 drawing-overflow = {$panel} no cabe en su panel con {$key} = {$given} y queda recortado; cabe con {$fitting}, o en una hoja mayor
 drawing-no_scale = ninguna
 drawing-cost_of_list = las escalas dejan espacio para la lista de resultados: {$scales}

@@ -99,6 +99,7 @@ velocity_plan = Polígono de velocidades
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, girado de {$angle}°
 acceleration_plan = Polígono de acelerações
+centers = Centros instantâneos
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = até {$point}: {$distance}
 cut_at_edge = cortado na borda
@@ -127,9 +128,11 @@ description = Contém: {$panels}. Grupos de Assur: {$groups}.
 named_scheme = esquema
 named_velocity_plan = polígono de velocidades
 named_acceleration_plan = polígono de acelerações
+named_centers = centros instantâneos
 described_scheme = o mecanismo em escala
 described_velocity_plan = seu polígono de velocidades
 described_acceleration_plan = seu polígono de acelerações
+described_centers = seus centros instantâneos
 described_group = classe {$class}, elos {$links}
 higher = superior
 
@@ -1021,6 +1024,7 @@ editing-held_try = puxe a junta para outro lugar
 drawing-scheme = esquema
 drawing-velocity_plan = polígono de velocidades
 drawing-acceleration_plan = polígono de acelerações
+drawing-centers = a figura de centros instantâneos
 drawing-overflow = o {$panel} não cabe no seu painel com {$key} = {$given} e fica cortado ali; cabe com {$fitting}, ou em uma folha maior
 drawing-no_scale = nenhuma
 drawing-cost_of_list = as escalas deixam espaço para a lista de resultados: {$scales}

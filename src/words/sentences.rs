@@ -133,6 +133,7 @@ sentences! {
     velocity_plan;
     turned_plan(plan, angle);
     acceleration_plan;
+    centers;
     /// A special point that lies off the sheet.
     far_away(point, distance, from);
     /// At the line to an image that lies off the panel.
@@ -167,9 +168,11 @@ sentences! {
     named_scheme;
     named_velocity_plan;
     named_acceleration_plan;
+    named_centers;
     described_scheme;
     described_velocity_plan;
     described_acceleration_plan;
+    described_centers;
     described_group(class, links);
     /// The class of a group above class IV.
     higher;
@@ -403,6 +406,7 @@ impl Language {
             Sheet::Scheme => [self.scheme(), self.described_scheme()],
             Sheet::Velocity => [self.velocity_plan(), self.described_velocity_plan()],
             Sheet::Acceleration => [self.acceleration_plan(), self.described_acceleration_plan()],
+            Sheet::Centers => [self.centers(), self.described_centers()],
         }
     }
 
@@ -440,6 +444,7 @@ fn named_sheet(sheet: Sheet) -> Key {
         Sheet::Scheme => Key::named_scheme,
         Sheet::Velocity => Key::named_velocity_plan,
         Sheet::Acceleration => Key::named_acceleration_plan,
+        Sheet::Centers => Key::named_centers,
     }
 }
 
