@@ -11,6 +11,7 @@
 //! CONTRIBUTING.md has the whole list.
 
 mod build;
+mod centers;
 mod choices;
 mod digits;
 mod error;
@@ -34,6 +35,7 @@ mod value;
 mod write;
 
 pub use build::{Builder, Guide, NewLink, Push, Turn};
+pub use centers::CentersShown;
 pub use choices::{
     ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, LengthUnit, Measure, NotationName, Page,
     PageSize, ScalesFor, Sizes, SlidingName, StyleName, TimeUnit, TurnedName, Units, ValuesShown,

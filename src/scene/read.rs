@@ -7,6 +7,7 @@ use serde::Deserialize;
 use super::choices::{FrameName, Units};
 use super::digits::Digits;
 use super::error::{SceneError, Source, Wrong};
+use super::centers::check_centers;
 use super::figure::{Figure, check_traced};
 use super::given::{GivenBy, PointMotion};
 use super::joint::{Slider, SliderFile, sliders};
@@ -318,6 +319,7 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
     let figure = file.figure.unwrap_or_default();
     figure.check().and_then(|()| check_frame(&links, &figure)).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_traced(given_by, &names, &sliders, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
+    check_centers(&names, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_form(file.form.as_ref())?;
     if let Some(hints) = file.hints.filter(|hints| *hints > MOST_HINTS) {
         return Err(Wrong::value(&["hints"], says::no_hints(hints)).hint(says::hints_from_0(MOST_HINTS)));

@@ -271,6 +271,10 @@ messages! { "scene":
     moving_points(all);
     ground_has_no_path(point);
     name_of_construction(name);
+    no_center(name);
+    name_center;
+    center_twice(name);
+    ground_is_at_rest(point);
 
     // How large a scene may be.
     a_scene;
@@ -298,6 +302,7 @@ messages! { "scene":
     expects_slider;
     expects_scene;
     expects_figure;
+    expects_centers;
     expects_units;
     expects_truth_or_paper;
     expects_truth_or_unit;

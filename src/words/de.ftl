@@ -91,6 +91,23 @@ only_roughly = , nur grob
 direction = Richtung {$degrees}°
 angle_of_crossing = Schnittwinkel {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Die bleibenden Pole markieren: {$centers}.
+center_in = {$center} in {$point}
+center_normal_to = {$center} im Unendlichen, normal zur Führung von {$guide}
+center_line = {$first} und {$second} verbinden; {$center} liegt auf dieser Geraden.
+center_line_towards = Durch {$first} die Gerade zu {$second} im Unendlichen ziehen; {$center} liegt auf ihr.
+center_cross = {$center} auf {$first} und {$second} markieren.
+center_parallel = {$center} liegt im Unendlichen: {$first} und {$second} sind parallel.
+center_along = {$center} liegt im Unendlichen in Richtung von {$line}: die andere Gerade ist die unendlich ferne.
+leave_out = Glied {$link} weglassen und {$first} mit {$second} starr verbinden: der Pol liegt dann in {$center}.
+centers_by_rates = Keine Geraden führen zu {$centers}: aus den berechneten Geschwindigkeiten.
+rate_by_centers = {$rate} berechnen: in {$center} haben die Glieder {$driver} und {$link} dieselbe Geschwindigkeit.
+velocity_by_centers = {$vector} normal zum Polstrahl {$from} {$point} antragen.
+velocity_of_center = {$vector} antragen, die von {$center}: Glied {$link} dreht sich nicht.
+centers_differ = Die Pole aus diesen Geraden und aus der berechneten Bewegung unterscheiden sich um {$difference} der Größe des Getriebes; die Schnitte erlauben {$allowed}.
+
 # The figure.
 
 title = Geschwindigkeits- und Beschleunigungsplan
@@ -755,6 +772,10 @@ scene-give_drive = geben Sie einem Glied ein "drive"
 scene-moving_points = bewegte Punkte sind {$all}
 scene-ground_has_no_path = Punkt {$point} gehört zum Gestell und hat keine Bahn
 scene-name_of_construction = {$name} ist ein Name der Konstruktion und kein Punkt eines Gliedes
+scene-no_center = "{$name}" benennt keinen Momentanpol
+scene-name_center = ein Pol heißt nach zwei Gliedern, wie P(1,3), oder P(2,ground) mit dem Gestell
+scene-center_twice = der Pol {$name} steht zweimal da
+scene-ground_is_at_rest = Punkt {$point} gehört zum Gestell und bewegt sich nicht
 
 # How large a scene may be.
 
@@ -784,6 +805,7 @@ scene-expects_link_motion = eine Bewegung wie {"{"} "at": "B", "velocity": [x, y
 scene-expects_slider = ein Schieber wie {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = eine Szene wie {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = ein Bild wie {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", oder Pole wie ["P(2,ground)", "P(1,3)"]
 scene-expects_units = Einheiten wie {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false oder "paper"
 scene-expects_truth_or_unit = true, false oder eine Längeneinheit

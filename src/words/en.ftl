@@ -97,6 +97,23 @@ only_roughly = , only roughly
 direction = direction {$degrees}°
 angle_of_crossing = angle of crossing {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Mark the permanent centres: {$centers}.
+center_in = {$center} in {$point}
+center_normal_to = {$center} at infinity, normal to the guide of {$guide}
+center_line = Join {$first} and {$second}; {$center} lies on this line.
+center_line_towards = Through {$first} draw the line towards {$second}, at infinity; {$center} lies on it.
+center_cross = Mark {$center} on {$first} and {$second}.
+center_parallel = {$center} is at infinity: {$first} and {$second} are parallel.
+center_along = {$center} is at infinity along {$line}: the other line is that at infinity.
+leave_out = Leave link {$link} out and glue {$first} and {$second} together: the centre is then at {$center}.
+centers_by_rates = No lines lead to {$centers}: from the computed rates.
+rate_by_centers = Compute {$rate}: in {$center} links {$driver} and {$link} have one velocity.
+velocity_by_centers = Lay off {$vector}, normal to the ray {$from} {$point}.
+velocity_of_center = Lay off {$vector}, that of {$center}: link {$link} does not turn.
+centers_differ = The centres from these lines and from the computed motion differ by {$difference} of the mechanism's size; the crossings allow {$allowed}.
+
 # The figure.
 
 # Title of a figure whose scene has none.
@@ -785,6 +802,10 @@ scene-give_drive = give a link a "drive"
 scene-moving_points = points that move are {$all}
 scene-ground_has_no_path = point {$point} is on the ground and has no path
 scene-name_of_construction = {$name} is a name of the construction, and no point of a link
+scene-no_center = "{$name}" names no instant centre
+scene-name_center = a centre is named by two links, as P(1,3), or P(2,ground) with the frame
+scene-center_twice = the centre {$name} stands twice
+scene-ground_is_at_rest = point {$point} is on the ground and does not move
 
 # How large a scene may be.
 
@@ -814,6 +835,7 @@ scene-expects_link_motion = a motion as {"{"} "at": "B", "velocity": [x, y], "om
 scene-expects_slider = a slider as {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = a scene as {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = a figure as {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", or centres as ["P(2,ground)", "P(1,3)"]
 scene-expects_units = units as {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false or "paper"
 scene-expects_truth_or_unit = true, false or a unit of length

@@ -89,6 +89,23 @@ only_roughly = , solo aproximadamente
 direction = dirección {$degrees}°
 angle_of_crossing = ángulo de corte {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Marcar los centros permanentes: {$centers}.
+center_in = {$center} en {$point}
+center_normal_to = {$center} en el infinito, normal a la guía de {$guide}
+center_line = Unir {$first} y {$second}; {$center} está sobre esta recta.
+center_line_towards = Trazar por {$first} la recta hacia {$second}, en el infinito; {$center} está sobre ella.
+center_cross = Marcar {$center} en {$first} y {$second}.
+center_parallel = {$center} está en el infinito: {$first} y {$second} son paralelas.
+center_along = {$center} está en el infinito según {$line}: la otra recta es la del infinito.
+leave_out = Quitar el eslabón {$link} y unir rígidamente {$first} y {$second}: el centro está entonces en {$center}.
+centers_by_rates = Ninguna recta lleva a {$centers}: de las velocidades calculadas.
+rate_by_centers = Calcular {$rate}: en {$center} los eslabones {$driver} y {$link} tienen la misma velocidad.
+velocity_by_centers = Trazar {$vector}, normal al radio {$from} {$point}.
+velocity_of_center = Trazar {$vector}, la de {$center}: el eslabón {$link} no gira.
+centers_differ = Los centros por estas rectas y los del movimiento calculado difieren en {$difference} del tamaño del mecanismo; los cortes permiten {$allowed}.
+
 # The figure.
 
 title = Planos de velocidades y aceleraciones
@@ -753,6 +770,10 @@ scene-give_drive = dé a un eslabón un "drive"
 scene-moving_points = los puntos que se mueven son {$all}
 scene-ground_has_no_path = el punto {$point} está en el bastidor y no tiene trayectoria
 scene-name_of_construction = {$name} es un nombre de la construcción, y no un punto de un eslabón
+scene-no_center = "{$name}" no nombra ningún centro instantáneo
+scene-name_center = un centro se nombra por dos eslabones, como P(1,3), o P(2,ground) con el bastidor
+scene-center_twice = el centro {$name} está dos veces
+scene-ground_is_at_rest = el punto {$point} está en el bastidor y no se mueve
 
 # How large a scene may be.
 
@@ -782,6 +803,7 @@ scene-expects_link_motion = un movimiento como {"{"} "at": "B", "velocity": [x, 
 scene-expects_slider = una corredera como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = una escena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = una figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", o centros como ["P(2,ground)", "P(1,3)"]
 scene-expects_units = unidades como {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false o "paper"
 scene-expects_truth_or_unit = true, false o una unidad de longitud

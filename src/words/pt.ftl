@@ -91,6 +91,23 @@ only_roughly = , só aproximadamente
 direction = direção {$degrees}°
 angle_of_crossing = ângulo de cruzamento {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Marcar os centros permanentes: {$centers}.
+center_in = {$center} em {$point}
+center_normal_to = {$center} no infinito, normal à guia de {$guide}
+center_line = Unir {$first} e {$second}; {$center} está sobre esta reta.
+center_line_towards = Traçar por {$first} a reta para {$second}, no infinito; {$center} está sobre ela.
+center_cross = Marcar {$center} em {$first} e {$second}.
+center_parallel = {$center} está no infinito: {$first} e {$second} são paralelas.
+center_along = {$center} está no infinito ao longo de {$line}: a outra reta é a do infinito.
+leave_out = Retirar o elo {$link} e unir rigidamente {$first} e {$second}: o centro está então em {$center}.
+centers_by_rates = Nenhuma reta leva a {$centers}: das velocidades calculadas.
+rate_by_centers = Calcular {$rate}: em {$center} os elos {$driver} e {$link} têm a mesma velocidade.
+velocity_by_centers = Traçar {$vector}, normal ao raio {$from} {$point}.
+velocity_of_center = Traçar {$vector}, a de {$center}: o elo {$link} não gira.
+centers_differ = Os centros por estas retas e os do movimento calculado diferem em {$difference} do tamanho do mecanismo; os cruzamentos permitem {$allowed}.
+
 # The figure.
 
 title = Polígonos de velocidades e acelerações
@@ -755,6 +772,10 @@ scene-give_drive = dê a um elo um "drive"
 scene-moving_points = os pontos que se movem são {$all}
 scene-ground_has_no_path = o ponto {$point} está na base e não tem trajetória
 scene-name_of_construction = {$name} é um nome da construção, e não um ponto de um elo
+scene-no_center = "{$name}" não nomeia nenhum centro instantâneo
+scene-name_center = um centro é nomeado por dois elos, como P(1,3), ou P(2,ground) com a base
+scene-center_twice = o centro {$name} está duas vezes
+scene-ground_is_at_rest = o ponto {$point} está na base e não se move
 
 # How large a scene may be.
 
@@ -784,6 +805,7 @@ scene-expects_link_motion = um movimento como {"{"} "at": "B", "velocity": [x, y
 scene-expects_slider = um cursor como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = uma cena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = uma figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", ou centros como ["P(2,ground)", "P(1,3)"]
 scene-expects_units = unidades como {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false ou "paper"
 scene-expects_truth_or_unit = true, false ou uma unidade de comprimento

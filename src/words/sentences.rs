@@ -126,6 +126,25 @@ sentences! {
     direction(degrees);
     angle_of_crossing(degrees);
 
+    // Instant centres.
+    /// The list of `center_in` and `center_normal_to`.
+    permanent_centers(centers);
+    center_in(center, point);
+    center_normal_to(center, guide);
+    center_line(first, second, center);
+    /// Where the second is at infinity.
+    center_line_towards(first, second, center);
+    center_cross(center, first, second);
+    center_parallel(center, first, second);
+    /// Where the other line is that at infinity.
+    center_along(center, line);
+    leave_out(link, first, second, center);
+    centers_by_rates(centers);
+    rate_by_centers(rate, driver, link, center);
+    velocity_by_centers(vector, from, point);
+    velocity_of_center(vector, center, link);
+    centers_differ(difference, allowed);
+
     // The figure.
     /// Title of a figure whose scene has none.
     title;
