@@ -246,25 +246,44 @@ impl CentersOnPaper<'_> {
             if center.is_permanent() || self.shown(canvas, center.place).is_some() {
                 continue;
             }
-            let Some((line, (at, along))) = center.lines().iter().find_map(|line| Some((line, self.course(line)?))) else {
-                continue;
-            };
+            let Some((line, edge, along)) = self.way_to(canvas, center) else { continue };
             canvas.step = self.steps.centers[index];
             let symbol = self.symbol(center);
             let start = line.through.iter().map(|id| self.centers.get(*id)).find(|center| center.place.finite().is_some());
-            let (along, words) = match (center.place, start.and_then(|start| Some((start, start.place.finite()?)))) {
+            let words = match (center.place, start.and_then(|start| Some((start, start.place.finite()?)))) {
                 (Place::At(place), Some((start, from))) => {
                     let unit = self.context.solution.scene.units.length.as_str();
                     let distance = format!("{} {unit}", self.context.words.write((place - from).norm(), VALUE));
-                    let words = self.context.words.language.far_away(&symbol, &distance, &self.symbol(start));
-                    (towards(at, self.view.at(place), along), words)
+                    self.context.words.language.far_away(&symbol, &distance, &self.symbol(start))
                 }
-                _ => (along, self.context.words.language.at_infinity(&symbol)),
+                _ => self.context.words.language.at_infinity(&symbol),
             };
-            let far = at + along * 2.0 * (canvas.frame.width() + canvas.frame.height());
-            let Some((_, edge)) = clipped_segment(canvas.room().inset(-1.5), at, far) else { continue };
             self.arrow(canvas, &center.name, [edge - along * ARROW, edge], (&words, &symbol));
         }
+    }
+
+    /// The line of a far centre that runs longest from its last centre on the panel to the edge, where it leaves the panel, and its direction
+    /// there. Towards infinity both ways lead.
+    fn way_to<'c>(&self, canvas: &Canvas<'_>, center: &'c Center) -> Option<(&'c CenterLine, Point, Vec2)> {
+        let reach = 2.0 * (canvas.frame.width() + canvas.frame.height());
+        let mut best: Option<(f64, (&CenterLine, Point, Vec2))> = None;
+        for line in center.lines() {
+            let Some((at, along)) = self.course(line) else { continue };
+            let ways = match center.place {
+                Place::At(place) => vec![towards(at, self.view.at(place), along)],
+                Place::AtInfinity(_) => vec![along, -along],
+            };
+            let on_line = || line.through.iter().filter_map(|id| self.centers.get(*id).place.finite());
+            for way in ways {
+                let Some((_, edge)) = clipped_segment(canvas.room().inset(-1.5), at, at + way * reach) else { continue };
+                let last = on_line().map(|place| (self.view.at(place) - at).dot(way)).fold(0.0, f64::max);
+                let free = (edge - at).dot(way) - last;
+                if best.is_none_or(|(most, _)| free > most + 1e-6) {
+                    best = Some((free, (line, edge, way)));
+                }
+            }
+        }
+        best.map(|(_, way)| way)
     }
 
     /// An arrow with words, or with a symbol alone where these have no room.

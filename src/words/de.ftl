@@ -2155,6 +2155,12 @@ page-sheets-acceleration_panel = Beschleunigungsplan
 page-sheets-acceleration_name = Beschleunigungsplan
 page-sheets-acceleration_title = Beschleunigungsplan
 page-sheets-acceleration_from = Aus dem Beschleunigungsplan
+page-sheets-centers_short = Pole
+page-sheets-centers_scaled = Pole
+page-sheets-centers_panel = Momentanpole
+page-sheets-centers_name = Figur der Momentanpole
+page-sheets-centers_title = Momentanpole
+page-sheets-centers_from = Aus den Polen
 
 
 ## The workbench: refused

@@ -2188,6 +2188,12 @@ page-sheets-acceleration_panel = Acceleration plan
 page-sheets-acceleration_name = acceleration plan
 page-sheets-acceleration_title = Acceleration plan
 page-sheets-acceleration_from = From the acceleration plan
+page-sheets-centers_short = Centres
+page-sheets-centers_scaled = Centres
+page-sheets-centers_panel = Instant centres
+page-sheets-centers_name = figure of instant centres
+page-sheets-centers_title = Instant centres
+page-sheets-centers_from = From the centres
 
 
 ## The workbench: refused

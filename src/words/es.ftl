@@ -2153,6 +2153,12 @@ page-sheets-acceleration_panel = Plan de aceleraciones
 page-sheets-acceleration_name = plano de aceleraciones
 page-sheets-acceleration_title = Plano de aceleraciones
 page-sheets-acceleration_from = Del plano de aceleraciones
+page-sheets-centers_short = Centros
+page-sheets-centers_scaled = Centros
+page-sheets-centers_panel = Centros instantáneos
+page-sheets-centers_name = figura de centros instantáneos
+page-sheets-centers_title = Centros instantáneos
+page-sheets-centers_from = De los centros
 
 
 ## The workbench: refused

@@ -2155,6 +2155,12 @@ page-sheets-acceleration_panel = Acelerações
 page-sheets-acceleration_name = polígono de acelerações
 page-sheets-acceleration_title = Polígono de acelerações
 page-sheets-acceleration_from = Do polígono de acelerações
+page-sheets-centers_short = Centros
+page-sheets-centers_scaled = Centros
+page-sheets-centers_panel = Centros instantâneos
+page-sheets-centers_name = figura de centros instantâneos
+page-sheets-centers_title = Centros instantâneos
+page-sheets-centers_from = Dos centros
 
 
 ## The workbench: refused

@@ -8,6 +8,8 @@
 //!   is hard on the way from a text's digits to them;
 //!   `paper_facts`, `published_numbers` and `worked` hold the paper and 20 textbook cases; `templates` holds every
 //!   starting scene to independent truth and its rates to finite differences.
+//! - Lines to poles: `kennedy` holds instant centres by Kennedy's lines to independent digits and to the motion, and finds them for all chains of four, six and eight
+//!   links with the fewest crossings.
 //! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles, `studies` the assemblies of a study's mechanisms to those of each by itself; `planted_modes` and
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
 //!   `levers` turns slotted levers round.
@@ -75,6 +77,7 @@ mod hodographs;
 mod honest_checks;
 mod inside;
 mod invariants;
+mod kennedy;
 mod lectured;
 mod legible;
 mod levers;

@@ -13,6 +13,9 @@ use crate::mechanism::{BodyId, Mechanism, PointId, Role};
 use crate::motion::Motion;
 use crate::sheet::Sheet;
 
+/// The link over which a line runs, and the two centres that it runs through.
+type OverLink = (Option<BodyId>, [CenterId; 2]);
+
 impl Writer<'_> {
     /// Draws the centres that are wanted, and those that lead to them; and the velocities of these points by centres.
     pub(crate) fn centers(&mut self, wanted: &[LinkPair], points: &[PointId]) {
@@ -114,13 +117,15 @@ impl Writer<'_> {
         };
         match figure {
             FigureOf::Mechanism => of(pair, figure),
-            FigureOf::Glued { together, .. } => {
-                let [kept, gone] = together.links();
-                let other = |link: BodyId| if link == kept { gone } else { link };
-                let glued = [LinkPair::new(other(a), b), LinkPair::new(a, other(b))];
+            FigureOf::Glued { without, together, .. } => {
+                // Either name of the glued link.
+                let other = |link: BodyId| together.other(link).unwrap_or(link);
+                let names = [Some(pair), LinkPair::new(other(a), b), LinkPair::new(a, other(b))];
                 let joint = |pair: LinkPair| of(pair, FigureOf::Mechanism).filter(|id| centers.get(*id).is_permanent());
-                let own = of(pair, figure).or_else(|| joint(pair));
-                own.or_else(|| glued.into_iter().flatten().find_map(|pair| of(pair, figure).or_else(|| joint(pair))))
+                let [first, second] = together.links();
+                let shared = of(pair, FigureOf::Mechanism).filter(|id| centers.is_without(*id, &[without, first, second]));
+                let own = |pair: LinkPair| of(pair, figure).or_else(|| joint(pair));
+                names.into_iter().flatten().find_map(own).or(shared)
             }
         }
     }
@@ -134,7 +139,28 @@ impl Writer<'_> {
             Some((Some(over), [through[0]?, through[1]?]))
         });
         let [first, second] = lines;
-        self.center_at(LinkPair::new(a, b)?, figure, [first?, second?])
+        let (pair, lines) = (LinkPair::new(a, b)?, [first?, second?]);
+        match self.figure_of(pair, &lines, figure) {
+            // It has been found before.
+            FigureOf::Mechanism if figure != FigureOf::Mechanism && self.drawn_centers().of(pair).is_some() => {
+                self.drawn_centers().of(pair)
+            }
+            own => self.center_at(pair, own, lines),
+        }
+    }
+
+    /// The figure whose centre is found by these lines in some figure: the mechanism itself, where they have nothing of what was glued.
+    fn figure_of(&mut self, pair: LinkPair, lines: &[OverLink; 2], figure: FigureOf) -> FigureOf {
+        let FigureOf::Glued { without, together, .. } = figure else { return figure };
+        let [first, second] = together.links();
+        let changed = [without, first, second];
+        let centers = self.drawn_centers();
+        let is_own = |(over, through): &OverLink| {
+            over.is_some_and(|over| !changed.contains(&over))
+                && through.iter().all(|id| centers.is_without(*id, &changed))
+        };
+        let is_of_mechanism = lines.iter().all(is_own) && pair.links().iter().all(|link| !changed.contains(link));
+        if is_of_mechanism { FigureOf::Mechanism } else { figure }
     }
 
     /// The centre of two links that one other link joins, found without that link.
@@ -164,7 +190,7 @@ impl Writer<'_> {
         &mut self,
         pair: LinkPair,
         figure: FigureOf,
-        lines: [(Option<BodyId>, [CenterId; 2]); 2],
+        lines: [OverLink; 2],
     ) -> Option<CenterId> {
         let id = CenterId(self.drawn_centers().all.len());
         let mut drawn = Vec::new();

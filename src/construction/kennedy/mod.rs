@@ -150,6 +150,17 @@ impl Centers {
         self.all.iter().position(is_it).map(CenterId)
     }
 
+    /// Whether a centre of the mechanism is found without these links.
+    pub(super) fn is_without(&self, id: CenterId, links: &[BodyId]) -> bool {
+        let center = self.get(id);
+        center.figure == FigureOf::Mechanism
+            && center.pair.links().iter().all(|link| !links.contains(link))
+            && center.lines().iter().all(|line| {
+                line.over.is_some_and(|over| !links.contains(&over))
+                    && line.through.iter().all(|through| self.is_without(*through, links))
+            })
+    }
+
     /// The centre of that index.
     #[must_use]
     pub fn get(&self, id: CenterId) -> &Center {

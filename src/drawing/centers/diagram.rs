@@ -9,7 +9,7 @@ use crate::drawing::sheet::Pen;
 use crate::drawing::text::{Anchor, CAPTION, PlacedText, RichText};
 use crate::geometry::direction_of_degrees;
 use crate::mechanism::BodyId;
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
 
 /// Radii of the circle that are tried, in mm.
 const RADII: [f64; 4] = [13.0, 11.0, 9.0, 7.5];
@@ -42,6 +42,11 @@ pub(super) fn draw(panel: &CentersOnPaper<'_>, canvas: &mut Canvas<'_>) {
         let name = RichText::math(panel.context.teller().link_in_symbol(link));
         write(canvas, name, CAPTION, centre + direction(index) * (radius + 0.55 * NAMES));
     }
+    let edges: Vec<[Point; 2]> = { panel.centers.all.iter() }
+        .filter(|center| center.figure == FigureOf::Mechanism)
+        .map(|center| center.pair.links().map(corner))
+        .collect();
+    let mut numbers: Vec<Point> = Vec::new();
     let mut number = 0;
     for (index, center) in panel.centers.all.iter().enumerate() {
         if center.figure != FigureOf::Mechanism {
@@ -55,16 +60,40 @@ pub(super) fn draw(panel: &CentersOnPaper<'_>, canvas: &mut Canvas<'_>) {
         }
         number += 1;
         canvas.draw(Pen::Construction, Shape::Line(a, b));
-        // Off the middle, where edges of a square cross.
-        let along = b - a;
-        let beside = Vec2::new(-along.y, along.x).normalize() * 1.5;
-        let text = RichText::plain(&number.to_string());
-        let side = if number % 2 == 0 { 0.34 } else { 0.66 };
-        write(canvas, text, SIZE, a.lerp(b, side) + beside);
+        let at = place_of_number([a, b], &edges, &numbers);
+        numbers.push(at);
+        write(canvas, RichText::plain(&number.to_string()), SIZE, at);
     }
     canvas.step = 0;
     let room = radius + NAMES;
     canvas.obstacles.add_boxes([Rect::from_center_size(centre, (2.0 * room, 2.0 * room))]);
+}
+
+/// The place beside an edge that is farthest from other edges and numbers, or as far as need be.
+fn place_of_number([a, b]: [Point; 2], edges: &[[Point; 2]], numbers: &[Point]) -> Point {
+    /// Distance of a number from its edge, from other edges and from other numbers that is enough, in mm.
+    const BESIDE: f64 = 1.5;
+    const FROM_EDGES: f64 = 1.5;
+    const FROM_NUMBERS: f64 = 3.0;
+    const SHARES: [f64; 9] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.19, 0.81];
+    let along = (b - a).normalize();
+    let beside = Vec2::new(-along.y, along.x) * BESIDE;
+    let room = |at: &Point| {
+        let others = edges.iter().filter(|edge| **edge != [a, b]);
+        let from_edges = others.map(|[c, d]| Line::new(*c, *d).nearest(*at, 1e-6).distance_sq.sqrt());
+        let from_edges = from_edges.fold(f64::INFINITY, f64::min) / FROM_EDGES;
+        let from_numbers = numbers.iter().map(|number| (*number - *at).hypot()).fold(f64::INFINITY, f64::min) / FROM_NUMBERS;
+        from_edges.min(from_numbers).min(1.0)
+    };
+    let places = SHARES.into_iter().flat_map(|share| [beside, -beside].map(|beside| a.lerp(b, share) + beside));
+    let mut best = (f64::NEG_INFINITY, a.midpoint(b));
+    for at in places {
+        let own = room(&at);
+        if own > best.0 {
+            best = (own, at);
+        }
+    }
+    best.1
 }
 
 /// Writes a text about a place.
