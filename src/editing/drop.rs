@@ -90,7 +90,9 @@ fn forget(document: &mut Document<'_>, names: &Names, name: &str) -> Result<(), 
     for table in ["near", "points", "known"] {
         document.remove(&[table, name])?;
     }
-    remove_entries(document, &["figure", "trace"], &|point| *point == *name)?;
+    for list in ["trace", "velocities"] {
+        remove_entries(document, &["figure", list], &|point| *point == *name)?;
+    }
     remove_named(document, names, Named::Point, name)
 }
 

@@ -232,7 +232,7 @@ impl MassFields {
         }
         let inertia = not_negative("inertia", self.inertia.unwrap_or(0.0))?;
         let Some(center) = self.center else {
-            return Err(Wrong::value(&[], says::no_center(link)).hint(says::add_center()));
+            return Err(Wrong::value(&[], says::no_center_of_mass(link)).hint(says::add_center()));
         };
         Ok(Mass { amount, inertia, center })
     }

@@ -11,6 +11,7 @@
 //! CONTRIBUTING.md has the whole list.
 
 mod build;
+mod centers;
 mod choices;
 mod digits;
 mod error;
@@ -35,6 +36,7 @@ mod value;
 mod write;
 
 pub use build::{Builder, Guide, NewLink, Push, Turn};
+pub use centers::CentersShown;
 pub use choices::{
     CenterName, ConstructionShown, CoriolisName, DecimalMark, ForceUnit, FrameName, LanguageName, LengthUnit, MassUnit,
     Measure, NotationName, Page, PageSize, ScalesFor, Sizes, SlidingName, StyleName, TimeUnit, TurnedName, Units,

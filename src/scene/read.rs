@@ -4,6 +4,7 @@ use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::centers::check_centers;
 use super::choices::{FrameName, Units};
 use super::digits::Digits;
 use super::error::{SceneError, Source, Wrong};
@@ -341,6 +342,7 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
     let figure = file.figure.unwrap_or_default();
     figure.check().and_then(|()| check_frame(&links, &figure)).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_traced(given_by, &names, &sliders, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
+    check_centers(&names, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_form(file.form.as_ref())?;
     if let Some(hints) = file.hints.filter(|hints| *hints > MOST_HINTS) {
         return Err(Wrong::value(&["hints"], says::no_hints(hints)).hint(says::hints_from_0(MOST_HINTS)));

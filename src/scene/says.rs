@@ -257,7 +257,7 @@ messages! { "scene":
     add_unit_of_mass;
     weight_without_gravity(link);
     add_gravity;
-    no_center(link);
+    no_center_of_mass(link);
     add_center;
     below_zero(key, value);
     no_unit_of_force;
@@ -302,6 +302,10 @@ messages! { "scene":
     moving_points(all);
     ground_has_no_path(point);
     name_of_construction(name);
+    no_center(name);
+    name_center;
+    center_twice(name);
+    ground_is_at_rest(point);
 
     // How large a scene may be.
     a_scene;
@@ -332,6 +336,7 @@ messages! { "scene":
     expects_slider;
     expects_scene;
     expects_figure;
+    expects_centers;
     expects_units;
     expects_truth_or_paper;
     expects_truth_or_unit;

@@ -91,6 +91,23 @@ only_roughly = , nur grob
 direction = Richtung {$degrees}°
 angle_of_crossing = Schnittwinkel {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Die bleibenden Pole markieren: {$centers}.
+center_in = {$center} in {$point}
+center_normal_to = {$center} im Unendlichen, normal zur Führung von {$guide}
+center_line = {$first} und {$second} verbinden; {$center} liegt auf dieser Geraden.
+center_line_towards = Durch {$first} die Gerade zu {$second} im Unendlichen ziehen; {$center} liegt auf ihr.
+center_cross = {$center} auf {$first} und {$second} markieren.
+center_parallel = {$center} liegt im Unendlichen: {$first} und {$second} sind parallel.
+center_along = {$center} liegt im Unendlichen in Richtung von {$line}: die andere Gerade ist die unendlich ferne.
+leave_out = Glied {$link} weglassen und {$first} mit {$second} starr verbinden: der Pol liegt dann in {$center}.
+centers_by_rates = Keine Geraden führen zu {$centers}: aus den berechneten Geschwindigkeiten.
+rate_by_centers = {$rate} berechnen: in {$center} haben die Glieder {$driver} und {$link} dieselbe Geschwindigkeit.
+velocity_by_centers = {$vector} normal zum Polstrahl {$from} {$point} antragen.
+velocity_of_center = {$vector} antragen, die von {$center}: Glied {$link} dreht sich nicht.
+centers_differ = Die Pole aus diesen Geraden und aus der berechneten Bewegung unterscheiden sich um {$difference} der Größe des Getriebes; die Schnitte erlauben {$allowed}.
+
 # The figure.
 
 title = Geschwindigkeits- und Beschleunigungsplan
@@ -99,6 +116,7 @@ velocity_plan = Geschwindigkeitsplan
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, um {$angle}° gedreht
 acceleration_plan = Beschleunigungsplan
+centers = Momentanpole
 far_away = {$point}: {$distance} von {$from}
 far_in_plan = bis {$point}: {$distance}
 cut_at_edge = am Rand abgeschnitten
@@ -131,9 +149,11 @@ description = Felder: {$panels}. Assur-Gruppen: {$groups}.
 named_scheme = Lageplan
 named_velocity_plan = Geschwindigkeitsplan
 named_acceleration_plan = Beschleunigungsplan
+named_centers = Momentanpole
 described_scheme = der Mechanismus im Maßstab
 described_velocity_plan = sein Geschwindigkeitsplan
 described_acceleration_plan = sein Beschleunigungsplan
+described_centers = seine Momentanpole
 described_group = Klasse {$class}, Glieder {$links}
 higher = über IV
 
@@ -744,7 +764,7 @@ scene-no_unit_of_mass = Glied {$link} hat eine Masse, aber die Szene hat keine M
 scene-add_unit_of_mass = ergänzen Sie `"mass": "kg"` in `units`
 scene-weight_without_gravity = Glied {$link} hat ein Gewicht, aber die Szene keine Schwerkraft, so dass seine Masse nicht bekannt ist
 scene-add_gravity = ergänzen Sie `"gravity": [0, -9810]` (in mm und s), oder geben Sie eine Masse an
-scene-no_center = Glied {$link} hat eine Masse, aber keinen Schwerpunkt
+scene-no_center_of_mass = Glied {$link} hat eine Masse, aber keinen Schwerpunkt
 scene-add_center = ergänzen Sie `"center"`: einen Punkt wie "C", Koordinaten [x, y] im System des Glieds, oder einen Abstand entlang seiner Achse
 scene-below_zero = `{$key}` ist {$value}, kleiner als null
 scene-no_unit_of_force = es gibt Lasten, aber die Szene hat keine Krafteinheit
@@ -790,6 +810,10 @@ scene-give_drive = geben Sie einem Glied ein "drive"
 scene-moving_points = bewegte Punkte sind {$all}
 scene-ground_has_no_path = Punkt {$point} gehört zum Gestell und hat keine Bahn
 scene-name_of_construction = {$name} ist ein Name der Konstruktion und kein Punkt eines Gliedes
+scene-no_center = "{$name}" benennt keinen Momentanpol
+scene-name_center = ein Pol heißt nach zwei Gliedern, wie P(1,3), oder P(2,ground) mit dem Gestell
+scene-center_twice = der Pol {$name} steht zweimal da
+scene-ground_is_at_rest = Punkt {$point} gehört zum Gestell und bewegt sich nicht
 
 # How large a scene may be.
 
@@ -822,6 +846,7 @@ scene-expects_link_motion = eine Bewegung wie {"{"} "at": "B", "velocity": [x, y
 scene-expects_slider = ein Schieber wie {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = eine Szene wie {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = ein Bild wie {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", oder Pole wie ["P(2,ground)", "P(1,3)"]
 scene-expects_units = Einheiten wie {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false oder "paper"
 scene-expects_truth_or_unit = true, false oder eine Längeneinheit
@@ -1072,6 +1097,7 @@ editing-held_try = ziehen Sie das Gelenk an einen anderen Ort
 drawing-scheme = der Lageplan
 drawing-velocity_plan = der Geschwindigkeitsplan
 drawing-acceleration_plan = der Beschleunigungsplan
+drawing-centers = die Figur der Momentanpole
 drawing-overflow = {$panel} passt bei {$key} = {$given} nicht in sein Feld und ist dort abgeschnitten; {$fitting} passt, oder ein größeres Blatt
 drawing-no_scale = keiner
 drawing-cost_of_list = die Maßstäbe lassen Platz für die Ergebnisliste: {$scales}
@@ -2182,6 +2208,12 @@ page-sheets-acceleration_panel = Beschleunigungsplan
 page-sheets-acceleration_name = Beschleunigungsplan
 page-sheets-acceleration_title = Beschleunigungsplan
 page-sheets-acceleration_from = Aus dem Beschleunigungsplan
+page-sheets-centers_short = Pole
+page-sheets-centers_scaled = Pole
+page-sheets-centers_panel = Momentanpole
+page-sheets-centers_name = Figur der Momentanpole
+page-sheets-centers_title = Momentanpole
+page-sheets-centers_from = Aus den Polen
 
 
 ## The workbench: refused

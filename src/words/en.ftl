@@ -97,6 +97,23 @@ only_roughly = , only roughly
 direction = direction {$degrees}°
 angle_of_crossing = angle of crossing {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Mark the permanent centres: {$centers}.
+center_in = {$center} in {$point}
+center_normal_to = {$center} at infinity, normal to the guide of {$guide}
+center_line = Join {$first} and {$second}; {$center} lies on this line.
+center_line_towards = Through {$first} draw the line towards {$second}, at infinity; {$center} lies on it.
+center_cross = Mark {$center} on {$first} and {$second}.
+center_parallel = {$center} is at infinity: {$first} and {$second} are parallel.
+center_along = {$center} is at infinity along {$line}: the other line is that at infinity.
+leave_out = Leave link {$link} out and glue {$first} and {$second} together: the centre is then at {$center}.
+centers_by_rates = No lines lead to {$centers}: from the computed rates.
+rate_by_centers = Compute {$rate}: in {$center} links {$driver} and {$link} have one velocity.
+velocity_by_centers = Lay off {$vector}, normal to the ray {$from} {$point}.
+velocity_of_center = Lay off {$vector}, that of {$center}: link {$link} does not turn.
+centers_differ = The centres from these lines and from the computed motion differ by {$difference} of the mechanism's size; the crossings allow {$allowed}.
+
 # The figure.
 
 # Title of a figure whose scene has none.
@@ -106,6 +123,7 @@ velocity_plan = Velocity plan
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, turned by {$angle}°
 acceleration_plan = Acceleration plan
+centers = Instant centres
 # A special point that lies off the sheet.
 far_away = {$point}: {$distance} from {$from}
 # At the line to an image that lies off the panel.
@@ -145,9 +163,11 @@ description = Panels: {$panels}. Assur groups: {$groups}.
 named_scheme = scheme
 named_velocity_plan = velocity plan
 named_acceleration_plan = acceleration plan
+named_centers = instant centres
 described_scheme = the mechanism to scale
 described_velocity_plan = its velocity plan
 described_acceleration_plan = its acceleration plan
+described_centers = its instant centres
 described_group = class {$class}, links {$links}
 # The class of a group above class IV.
 higher = higher
@@ -774,7 +794,7 @@ scene-no_unit_of_mass = link {$link} has a mass, but the scene has no unit of ma
 scene-add_unit_of_mass = add `"mass": "kg"` to `units`
 scene-weight_without_gravity = link {$link} has a weight, but the scene has no gravity, so its mass is not known
 scene-add_gravity = add `"gravity": [0, -9810]` (in mm and s), or give a mass
-scene-no_center = link {$link} has a mass, but no centre of mass
+scene-no_center_of_mass = link {$link} has a mass, but no centre of mass
 scene-add_center = add `"center"`: a point as "C", coordinates [x, y] in the frame of the link, or a distance along its axis
 scene-below_zero = `{$key}` is {$value}, below zero
 scene-no_unit_of_force = there are loads, but the scene has no unit of force
@@ -820,6 +840,10 @@ scene-give_drive = give a link a "drive"
 scene-moving_points = points that move are {$all}
 scene-ground_has_no_path = point {$point} is on the ground and has no path
 scene-name_of_construction = {$name} is a name of the construction, and no point of a link
+scene-no_center = "{$name}" names no instant centre
+scene-name_center = a centre is named by two links, as P(1,3), or P(2,ground) with the frame
+scene-center_twice = the centre {$name} stands twice
+scene-ground_is_at_rest = point {$point} is on the ground and does not move
 
 # How large a scene may be.
 
@@ -852,6 +876,7 @@ scene-expects_link_motion = a motion as {"{"} "at": "B", "velocity": [x, y], "om
 scene-expects_slider = a slider as {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = a scene as {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = a figure as {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", or centres as ["P(2,ground)", "P(1,3)"]
 scene-expects_units = units as {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false or "paper"
 scene-expects_truth_or_unit = true, false or a unit of length
@@ -1105,6 +1130,7 @@ editing-held_try = pull the joint to another place
 drawing-scheme = scheme
 drawing-velocity_plan = velocity plan
 drawing-acceleration_plan = acceleration plan
+drawing-centers = figure of instant centres
 drawing-overflow = the {$panel} does not fit into its panel at {$key} = {$given} and is cut off there; {$fitting} fits, or a larger sheet
 drawing-no_scale = none
 drawing-cost_of_list = scales leave room for the list of results: {$scales}
@@ -2215,6 +2241,12 @@ page-sheets-acceleration_panel = Acceleration plan
 page-sheets-acceleration_name = acceleration plan
 page-sheets-acceleration_title = Acceleration plan
 page-sheets-acceleration_from = From the acceleration plan
+page-sheets-centers_short = Centres
+page-sheets-centers_scaled = Centres
+page-sheets-centers_panel = Instant centres
+page-sheets-centers_name = figure of instant centres
+page-sheets-centers_title = Instant centres
+page-sheets-centers_from = From the centres
 
 
 ## The workbench: refused

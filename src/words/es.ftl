@@ -89,6 +89,23 @@ only_roughly = , solo aproximadamente
 direction = dirección {$degrees}°
 angle_of_crossing = ángulo de corte {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Marcar los centros permanentes: {$centers}.
+center_in = {$center} en {$point}
+center_normal_to = {$center} en el infinito, normal a la guía de {$guide}
+center_line = Unir {$first} y {$second}; {$center} está sobre esta recta.
+center_line_towards = Trazar por {$first} la recta hacia {$second}, en el infinito; {$center} está sobre ella.
+center_cross = Marcar {$center} en {$first} y {$second}.
+center_parallel = {$center} está en el infinito: {$first} y {$second} son paralelas.
+center_along = {$center} está en el infinito según {$line}: la otra recta es la del infinito.
+leave_out = Quitar el eslabón {$link} y unir rígidamente {$first} y {$second}: el centro está entonces en {$center}.
+centers_by_rates = Ninguna recta lleva a {$centers}: de las velocidades calculadas.
+rate_by_centers = Calcular {$rate}: en {$center} los eslabones {$driver} y {$link} tienen la misma velocidad.
+velocity_by_centers = Trazar {$vector}, normal al radio {$from} {$point}.
+velocity_of_center = Trazar {$vector}, la de {$center}: el eslabón {$link} no gira.
+centers_differ = Los centros por estas rectas y los del movimiento calculado difieren en {$difference} del tamaño del mecanismo; los cortes permiten {$allowed}.
+
 # The figure.
 
 title = Planos de velocidades y aceleraciones
@@ -97,6 +114,7 @@ velocity_plan = Plano de velocidades
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, girado {$angle}°
 acceleration_plan = Plano de aceleraciones
+centers = Centros instantáneos
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = hasta {$point}: {$distance}
 cut_at_edge = recortado en el borde
@@ -129,9 +147,11 @@ description = Contiene: {$panels}. Grupos de Assur: {$groups}.
 named_scheme = esquema
 named_velocity_plan = plano de velocidades
 named_acceleration_plan = plano de aceleraciones
+named_centers = centros instantáneos
 described_scheme = el mecanismo a escala
 described_velocity_plan = su plano de velocidades
 described_acceleration_plan = su plano de aceleraciones
+described_centers = sus centros instantáneos
 described_group = clase {$class}, eslabones {$links}
 higher = superior
 
@@ -742,7 +762,7 @@ scene-no_unit_of_mass = el eslabón {$link} tiene masa, pero la escena no tiene 
 scene-add_unit_of_mass = añada `"mass": "kg"` a `units`
 scene-weight_without_gravity = el eslabón {$link} tiene peso, pero la escena no tiene gravedad: su masa no se conoce
 scene-add_gravity = añada `"gravity": [0, -9810]` (en mm y s), o dé una masa
-scene-no_center = el eslabón {$link} tiene masa, pero no centro de masa
+scene-no_center_of_mass = el eslabón {$link} tiene masa, pero no centro de masa
 scene-add_center = añada `"center"`: un punto como "C", coordenadas [x, y] en el sistema del eslabón, o una distancia a lo largo de su eje
 scene-below_zero = `{$key}` es {$value}, menor que cero
 scene-no_unit_of_force = hay cargas, pero la escena no tiene unidad de fuerza
@@ -788,6 +808,10 @@ scene-give_drive = dé a un eslabón un "drive"
 scene-moving_points = los puntos que se mueven son {$all}
 scene-ground_has_no_path = el punto {$point} está en el bastidor y no tiene trayectoria
 scene-name_of_construction = {$name} es un nombre de la construcción, y no un punto de un eslabón
+scene-no_center = "{$name}" no nombra ningún centro instantáneo
+scene-name_center = un centro se nombra por dos eslabones, como P(1,3), o P(2,ground) con el bastidor
+scene-center_twice = el centro {$name} está dos veces
+scene-ground_is_at_rest = el punto {$point} está en el bastidor y no se mueve
 
 # How large a scene may be.
 
@@ -820,6 +844,7 @@ scene-expects_link_motion = un movimiento como {"{"} "at": "B", "velocity": [x, 
 scene-expects_slider = una corredera como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = una escena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = una figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", o centros como ["P(2,ground)", "P(1,3)"]
 scene-expects_units = unidades como {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false o "paper"
 scene-expects_truth_or_unit = true, false o una unidad de longitud
@@ -1070,6 +1095,7 @@ editing-held_try = arrastre la articulación a otro lugar
 drawing-scheme = el esquema
 drawing-velocity_plan = el plano de velocidades
 drawing-acceleration_plan = el plano de aceleraciones
+drawing-centers = la figura de centros instantáneos
 drawing-overflow = {$panel} no cabe en su panel con {$key} = {$given} y queda recortado; cabe con {$fitting}, o en una hoja mayor
 drawing-no_scale = ninguna
 drawing-cost_of_list = las escalas dejan espacio para la lista de resultados: {$scales}
@@ -2180,6 +2206,12 @@ page-sheets-acceleration_panel = Plan de aceleraciones
 page-sheets-acceleration_name = plano de aceleraciones
 page-sheets-acceleration_title = Plano de aceleraciones
 page-sheets-acceleration_from = Del plano de aceleraciones
+page-sheets-centers_short = Centros
+page-sheets-centers_scaled = Centros
+page-sheets-centers_panel = Centros instantáneos
+page-sheets-centers_name = figura de centros instantáneos
+page-sheets-centers_title = Centros instantáneos
+page-sheets-centers_from = De los centros
 
 
 ## The workbench: refused

@@ -91,6 +91,23 @@ only_roughly = , só aproximadamente
 direction = direção {$degrees}°
 angle_of_crossing = ângulo de cruzamento {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Marcar os centros permanentes: {$centers}.
+center_in = {$center} em {$point}
+center_normal_to = {$center} no infinito, normal à guia de {$guide}
+center_line = Unir {$first} e {$second}; {$center} está sobre esta reta.
+center_line_towards = Traçar por {$first} a reta para {$second}, no infinito; {$center} está sobre ela.
+center_cross = Marcar {$center} em {$first} e {$second}.
+center_parallel = {$center} está no infinito: {$first} e {$second} são paralelas.
+center_along = {$center} está no infinito ao longo de {$line}: a outra reta é a do infinito.
+leave_out = Retirar o elo {$link} e unir rigidamente {$first} e {$second}: o centro está então em {$center}.
+centers_by_rates = Nenhuma reta leva a {$centers}: das velocidades calculadas.
+rate_by_centers = Calcular {$rate}: em {$center} os elos {$driver} e {$link} têm a mesma velocidade.
+velocity_by_centers = Traçar {$vector}, normal ao raio {$from} {$point}.
+velocity_of_center = Traçar {$vector}, a de {$center}: o elo {$link} não gira.
+centers_differ = Os centros por estas retas e os do movimento calculado diferem em {$difference} do tamanho do mecanismo; os cruzamentos permitem {$allowed}.
+
 # The figure.
 
 title = Polígonos de velocidades e acelerações
@@ -99,6 +116,7 @@ velocity_plan = Polígono de velocidades
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, girado de {$angle}°
 acceleration_plan = Polígono de acelerações
+centers = Centros instantâneos
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = até {$point}: {$distance}
 cut_at_edge = cortado na borda
@@ -131,9 +149,11 @@ description = Contém: {$panels}. Grupos de Assur: {$groups}.
 named_scheme = esquema
 named_velocity_plan = polígono de velocidades
 named_acceleration_plan = polígono de acelerações
+named_centers = centros instantâneos
 described_scheme = o mecanismo em escala
 described_velocity_plan = seu polígono de velocidades
 described_acceleration_plan = seu polígono de acelerações
+described_centers = seus centros instantâneos
 described_group = classe {$class}, elos {$links}
 higher = superior
 
@@ -744,7 +764,7 @@ scene-no_unit_of_mass = o elo {$link} tem massa, mas a cena não tem unidade de 
 scene-add_unit_of_mass = acrescente `"mass": "kg"` a `units`
 scene-weight_without_gravity = o elo {$link} tem peso, mas a cena não tem gravidade: a sua massa não é conhecida
 scene-add_gravity = acrescente `"gravity": [0, -9810]` (em mm e s), ou dê uma massa
-scene-no_center = o elo {$link} tem massa, mas não centro de massa
+scene-no_center_of_mass = o elo {$link} tem massa, mas não centro de massa
 scene-add_center = acrescente `"center"`: um ponto como "C", coordenadas [x, y] no sistema do elo, ou uma distância ao longo do seu eixo
 scene-below_zero = `{$key}` é {$value}, menor que zero
 scene-no_unit_of_force = há cargas, mas a cena não tem unidade de força
@@ -790,6 +810,10 @@ scene-give_drive = dê a um elo um "drive"
 scene-moving_points = os pontos que se movem são {$all}
 scene-ground_has_no_path = o ponto {$point} está na base e não tem trajetória
 scene-name_of_construction = {$name} é um nome da construção, e não um ponto de um elo
+scene-no_center = "{$name}" não nomeia nenhum centro instantâneo
+scene-name_center = um centro é nomeado por dois elos, como P(1,3), ou P(2,ground) com a base
+scene-center_twice = o centro {$name} está duas vezes
+scene-ground_is_at_rest = o ponto {$point} está na base e não se move
 
 # How large a scene may be.
 
@@ -822,6 +846,7 @@ scene-expects_link_motion = um movimento como {"{"} "at": "B", "velocity": [x, y
 scene-expects_slider = um cursor como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = uma cena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = uma figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", ou centros como ["P(2,ground)", "P(1,3)"]
 scene-expects_units = unidades como {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false ou "paper"
 scene-expects_truth_or_unit = true, false ou uma unidade de comprimento
@@ -1072,6 +1097,7 @@ editing-held_try = puxe a junta para outro lugar
 drawing-scheme = esquema
 drawing-velocity_plan = polígono de velocidades
 drawing-acceleration_plan = polígono de acelerações
+drawing-centers = a figura de centros instantâneos
 drawing-overflow = o {$panel} não cabe no seu painel com {$key} = {$given} e fica cortado ali; cabe com {$fitting}, ou em uma folha maior
 drawing-no_scale = nenhuma
 drawing-cost_of_list = as escalas deixam espaço para a lista de resultados: {$scales}
@@ -2182,6 +2208,12 @@ page-sheets-acceleration_panel = Acelerações
 page-sheets-acceleration_name = polígono de acelerações
 page-sheets-acceleration_title = Polígono de acelerações
 page-sheets-acceleration_from = Do polígono de acelerações
+page-sheets-centers_short = Centros
+page-sheets-centers_scaled = Centros
+page-sheets-centers_panel = Centros instantâneos
+page-sheets-centers_name = figura de centros instantâneos
+page-sheets-centers_title = Centros instantâneos
+page-sheets-centers_from = Dos centros
 
 
 ## The workbench: refused

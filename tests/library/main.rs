@@ -10,6 +10,8 @@
 //!   starting scene to independent truth and its rates to finite differences.
 //! - Poles: `centers` holds instant centres, inflection poles and poles of accelerations to independent digits, of random mechanisms to 256 bits, and three
 //!   centres of three links to a line.
+//! - Lines to poles: `kennedy` holds instant centres by Kennedy's lines to independent digits and to the motion, and finds them for all chains of four, six and eight
+//!   links with the fewest crossings.
 //! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles, `studies` the assemblies of a study's mechanisms to those of each by itself; `planted_modes` and
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
 //!   `levers` turns slotted levers round.
@@ -80,6 +82,7 @@ mod hodographs;
 mod honest_checks;
 mod inside;
 mod invariants;
+mod kennedy;
 mod lectured;
 mod legible;
 mod levers;
