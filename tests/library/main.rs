@@ -52,6 +52,7 @@ mod accuracy;
 mod architecture;
 mod assemblies;
 mod bad_scenes;
+mod board_shown;
 mod boards;
 mod camera;
 mod centers;

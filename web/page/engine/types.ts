@@ -982,6 +982,10 @@ export interface Board {
    */
   free: FreeNames;
   /**
+   * What is said of the hand where it is free: how near it has to be; none where what it draws is exact.
+   */
+  hand: string | null;
+  /**
    * The entries of the drawing, in order.
    */
   did: BoardEntry[];
@@ -1107,6 +1111,10 @@ export interface BoardName {
    * Whether it is there already.
    */
   is_made: boolean;
+  /**
+   * Whether it is the rate of a link, which turns in one sense or the other.
+   */
+  is_turning: boolean;
 }
 /**
  * Names of one's own that are free.
