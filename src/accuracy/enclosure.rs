@@ -25,7 +25,8 @@ impl Enclosure {
     /// equations are regular; or numbers leave the range of f64. `None` where a drive has no position.
     pub fn new(scene: &Scene, mechanism: &Mechanism, pose: &Pose, order: Order, room: Room) -> Option<Enclosure> {
         let placed = TruePlaces::new(&Given { scene, mechanism: mechanism.for_positions(), room }, pose)?;
-        let places = PlacesOf { given: Given { scene, mechanism, room }, points: &placed.points, guides: &placed.guides };
+        let places =
+            PlacesOf { given: Given { scene, mechanism, room }, points: &placed.points, guides: &placed.guides };
         let state = bounded_motion(mechanism, &places, order);
         Some(Enclosure { state, placed })
     }

@@ -80,8 +80,7 @@ impl Truth<'_> {
         let mechanism = path.mechanism_at(value);
         let pose = self.walker.position(value)?.pose();
         let motion = motion(&mechanism, &pose, Order::Acceleration).ok()?;
-        let built =
-            self.asked.needs_construction().then(|| construct(&mechanism, &pose, &motion, Extent::Points));
+        let built = self.asked.needs_construction().then(|| construct(&mechanism, &pose, &motion, Extent::Points));
         let bounds = bounds_within(self.scene, &mechanism, &pose, &motion, path.room(value, half));
         built.iter().fold(bounds, |bounds, built| bounds.with_plans(built)).true_number(self.asked)
     }
@@ -158,7 +157,9 @@ impl Path<'_> {
             let off = if moved || ratio == 0.0 {
                 0.0
             } else {
-                rounded(ratio) * (value.abs() + self.origin.abs()) + rounded(start) + rounded(self.value_of(index, value))
+                rounded(ratio) * (value.abs() + self.origin.abs())
+                    + rounded(start)
+                    + rounded(self.value_of(index, value))
             };
             let own = half * ratio.abs() * (1.0 + 4.0 * UNIT_ROUNDOFF) + off;
             match input.kind {

@@ -217,14 +217,14 @@ fn description(context: &CurveContext<'_>, graphs: &[Graph<'_>]) -> String {
                 text.push_str(&format!(" {sentence};"));
                 continue;
             }
-            let extreme = |greatest: bool, sentence: fn(&Language, &str, &str) -> String, none: &str| {
-                match &extremes[usize::from(greatest)] {
-                    Some(found) => {
-                        let place = drive.amount_within((found.at * 1e4).round() / 1e4, found.within);
-                        sentence(language, &value(found), &context.words.number(place))
-                    }
-                    None => none.to_owned(),
+            let extreme = |greatest: bool, sentence: fn(&Language, &str, &str) -> String, none: &str| match &extremes
+                [usize::from(greatest)]
+            {
+                Some(found) => {
+                    let place = drive.amount_within((found.at * 1e4).round() / 1e4, found.within);
+                    sentence(language, &value(found), &context.words.number(place))
                 }
+                None => none.to_owned(),
             };
             let least = extreme(false, Language::least, language.no_least());
             let greatest = extreme(true, Language::greatest, language.no_greatest());

@@ -158,7 +158,8 @@ impl<'a> Graph<'a> {
         let dots = curve.extremes.iter().map(|e| place(e.at, e.value));
         taken.extend(dots.map(|dot| Rect::from_center_size(dot, (2.0 * DOT, 2.0 * DOT))));
         for (greatest, found) in [false, true].into_iter().zip(extremes) {
-            let Some((first, found)) = curve.extremes.iter().find(|e| e.greatest == greatest).zip(found.as_ref()) else {
+            let Some((first, found)) = curve.extremes.iter().find(|e| e.greatest == greatest).zip(found.as_ref())
+            else {
                 continue;
             };
             let up = if greatest { -1.0 } else { 1.0 };
