@@ -36,6 +36,7 @@
 
 pub mod accuracy;
 pub mod board;
+pub mod centers;
 pub mod check;
 #[cfg(feature = "cli")]
 #[doc(hidden)] // the program

@@ -232,6 +232,7 @@ impl Finder<'_> {
                 }
                 None => return Err(self.form()),
             },
+            Head::Center => return Err(self.form()),
         })
     }
 

@@ -49,6 +49,8 @@ pub enum Head {
     Tangential,
     /// The distance of two points of a sheet: a length of the scheme, a segment of a plan.
     Between(Sheet),
+    /// The instant centre of two links.
+    Center,
 }
 
 /// What stands between a name's parentheses.
@@ -83,7 +85,7 @@ impl Component {
 
 impl Head {
     /// The heads that are not the distance of two points: the word for each, what its arguments are, and the kind of its value.
-    const KNOWN: [(Head, &'static str, Argument, QuantityKind); 13] = [
+    const KNOWN: [(Head, &'static str, Argument, QuantityKind); 14] = [
         (Head::Omega, "omega", Argument::Link, QuantityKind::AngularVelocity),
         (Head::Alpha, "alpha", Argument::Link, QuantityKind::AngularAcceleration),
         (Head::Angle, "angle", Argument::Link, QuantityKind::Angle),
@@ -97,6 +99,7 @@ impl Head {
         (Head::Acceleration, "a", Argument::Point, QuantityKind::Acceleration),
         (Head::Normal, "a_n", Argument::Point, QuantityKind::Acceleration),
         (Head::Tangential, "a_t", Argument::Point, QuantityKind::Acceleration),
+        (Head::Center, "P", Argument::Link, QuantityKind::Position),
     ];
 
     fn of(word: &str) -> Option<Head> {
@@ -135,19 +138,26 @@ impl Head {
     fn separator(self) -> Option<&'static str> {
         match self {
             Head::Velocity | Head::Acceleration | Head::Normal | Head::Tangential => Some("/"),
-            Head::Between(_) => Some(","),
+            Head::Between(_) | Head::Center => Some(","),
             _ => None,
         }
     }
 
     /// Its arguments, from what stands between a name's parentheses; `None` where a second point is missing.
     fn split(self, inner: &str) -> Option<Vec<&str>> {
-        let needs_two = matches!(self, Head::Normal | Head::Tangential | Head::Between(_));
-        match self.separator().and_then(|by| inner.split_once(by)) {
+        let needs_two = matches!(self, Head::Normal | Head::Tangential | Head::Between(_) | Head::Center);
+        match self.separator().and_then(|by| split_outside(inner, by)) {
             Some((first, second)) => Some(vec![first, second]),
             None => (!needs_two).then(|| vec![inner]),
         }
     }
+}
+
+/// Splits at the first separator that stands in no parentheses: `P(2,ground),B` between its two points.
+fn split_outside<'t>(inner: &'t str, by: &str) -> Option<(&'t str, &'t str)> {
+    let is_outside = |at: &usize| inner[..*at].matches('(').count() == inner[..*at].matches(')').count();
+    let at = inner.match_indices(by).map(|(at, _)| at).find(is_outside)?;
+    Some((&inner[..at], &inner[at + by.len()..]))
 }
 
 impl QuantityName {

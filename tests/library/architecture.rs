@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use support::files;
 
 /// The folders of `src` in the order in which values flow; each may use itself and those before it.
-const ORDER: [&str; 21] = [
+const ORDER: [&str; 22] = [
     "geometry",
     "scene",
     "words",
@@ -13,6 +13,7 @@ const ORDER: [&str; 21] = [
     "kernel",
     "position",
     "motion",
+    "centers",
     "construction",
     "quantity",
     "editing",

@@ -1,0 +1,60 @@
+use crate::mechanism::{BodyId, GROUND, Mechanism};
+use crate::scene::{Head, QuantityName};
+
+/// Two different links, one of which may be the frame, as the two whose instant centre is meant. P₁₃ and P₃₁ are one point: pairs have no order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct LinkPair([BodyId; 2]);
+
+impl LinkPair {
+    /// The pair of two links; `None` for a link with itself.
+    #[must_use]
+    pub fn new(a: BodyId, b: BodyId) -> Option<LinkPair> {
+        // The frame is the first body, and the last one in names.
+        let key = |body: BodyId| (body == GROUND, body);
+        match key(a).cmp(&key(b)) {
+            std::cmp::Ordering::Less => Some(LinkPair([a, b])),
+            std::cmp::Ordering::Greater => Some(LinkPair([b, a])),
+            std::cmp::Ordering::Equal => None,
+        }
+    }
+
+    /// The pair that the name of a centre gives, as `P(1,3)` or `P(2,ground)`; `None` for any other text, for links that the mechanism does not have,
+    /// and for a link with itself.
+    #[must_use]
+    pub fn named(name: &str, mechanism: &Mechanism) -> Option<LinkPair> {
+        let written = QuantityName::parse(name).filter(|name| name.head == Head::Center && name.is_plain())?;
+        let [a, b] = written.arguments.as_slice() else { return None };
+        LinkPair::new(mechanism.link(a)?, mechanism.link(b)?)
+    }
+
+    /// All pairs of the frame and the links with names, those with the frame first.
+    #[must_use]
+    pub fn all(mechanism: &Mechanism) -> Vec<LinkPair> {
+        let links: Vec<BodyId> = std::iter::once(GROUND).chain(mechanism.links().map(|(id, _)| id)).collect();
+        let pairs = links.iter().enumerate().flat_map(|(index, &a)| links[index + 1..].iter().map(move |&b| (a, b)));
+        pairs.filter_map(|(a, b)| LinkPair::new(a, b)).collect()
+    }
+
+    /// Its links in the order of the scene, the frame last.
+    #[must_use]
+    pub fn links(self) -> [BodyId; 2] {
+        self.0
+    }
+
+    /// The other link; `None` for a link that is not in the pair.
+    #[must_use]
+    pub fn other(self, link: BodyId) -> Option<BodyId> {
+        match self.0 {
+            [a, b] if a == link => Some(b),
+            [a, b] if b == link => Some(a),
+            _ => None,
+        }
+    }
+
+    /// The name of its centre in results and scenes: `P(1,3)`, `P(2,ground)`.
+    #[must_use]
+    pub fn name(self, mechanism: &Mechanism) -> String {
+        let [a, b] = self.0.map(|link| mechanism.body(link).name.as_str());
+        format!("{}({a},{b})", Head::Center.word())
+    }
+}
