@@ -88,7 +88,7 @@ impl Truth<'_> {
     /// An extreme with its bounds, if it is one for certain.
     fn proved(&mut self, range: [f64; 2], extreme: &Extreme) -> Option<CertainExtreme> {
         let sign = if extreme.greatest { 1.0 } else { -1.0 };
-        let at = if range.contains(&extreme.at) { extreme.at } else { self.found_again(range, extreme.at) };
+        let at = if range.contains(&extreme.at) { extreme.at } else { self.found_again(range, extreme.at, sign) };
         let middle = self.at(at, 0.0)?;
         for width in WIDTHS.map(|part| part * self.path.unit()) {
             let ends = [(at - width).max(range[0]), (at + width).min(range[1])];
@@ -109,19 +109,26 @@ impl Truth<'_> {
         None
     }
 
-    /// Where the parabola through three values next to a place has its vertex.
-    fn found_again(&mut self, range: [f64; 2], from: f64) -> f64 {
+    /// The best place next to one of an extreme: where the parabola through three values has its vertex, or the corner of a size that
+    /// touches zero.
+    fn found_again(&mut self, range: [f64; 2], from: f64, sign: f64) -> f64 {
         let mut at = from;
         for step in STEPS.map(|part| part * self.path.unit()) {
             let [Some(before), Some(here), Some(after)] = [at - step, at, at + step].map(|x| self.at(x, 0.0)) else {
                 break;
             };
             let [down, up] = [before, after].map(|value| value.minus(here).high);
-            let vertex = at + step * (down - up) / (2.0 * (down + up));
-            if vertex.is_nan() || (vertex - from).abs() > SEARCHED * self.path.unit() {
-                break;
+            let mut places = vec![at + step * (down - up) / (2.0 * (down + up))];
+            if let (TrueNumber::Number(before), TrueNumber::Number(after)) = (before, after) {
+                places.push(at + step * (before.high - after.high) / (before.high + after.high));
             }
-            at = vertex.clamp(range[0], range[1]);
+            let mut best = here;
+            for place in places.into_iter().filter(|place| (place - from).abs() <= SEARCHED * self.path.unit()) {
+                let place = place.clamp(range[0], range[1]);
+                if let Some(value) = self.at(place, 0.0).filter(|value| sign * value.minus(best).high > 0.0) {
+                    (at, best) = (place, value);
+                }
+            }
         }
         at
     }
