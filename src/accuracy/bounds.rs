@@ -1,4 +1,5 @@
 use super::enclosure::{Enclosure, Loaded};
+use super::given::Room;
 use super::says;
 use crate::construction::{Construction, Special, Values};
 use crate::forces::{Forces, forces};
@@ -27,7 +28,7 @@ pub struct Bounds<'a> {
     mechanism: &'a Mechanism,
     pose: &'a Pose,
     motion: &'a Motion,
-    enclosure: Option<Enclosure>,
+    pub(super) enclosure: Option<Enclosure>,
     pub(super) construction: Option<&'a Construction>,
     /// The construction carried out within the enclosure, once it is asked for.
     pub(super) plans: OnceCell<Option<Values<Ball>>>,
@@ -40,7 +41,18 @@ pub struct Bounds<'a> {
 /// The mechanism's drives may have been given other positions and rates since: these then count as given.
 #[must_use]
 pub fn bounds<'a>(scene: &'a Scene, mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Bounds<'a> {
-    let enclosure = Enclosure::new(scene, mechanism, pose, motion.order);
+    bounds_within(scene, mechanism, pose, motion, Room::default())
+}
+
+/// The same where drives may stand anywhere within `room` of their values.
+pub(crate) fn bounds_within<'a>(
+    scene: &'a Scene,
+    mechanism: &'a Mechanism,
+    pose: &'a Pose,
+    motion: &'a Motion,
+    room: Room,
+) -> Bounds<'a> {
+    let enclosure = Enclosure::new(scene, mechanism, pose, motion.order, room);
     Bounds {
         scene,
         mechanism,

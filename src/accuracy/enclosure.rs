@@ -1,4 +1,4 @@
-use super::given::{Given, Vector};
+use super::given::{Given, Room, Vector};
 use super::locals::Locals;
 use super::placed::TruePlaces;
 use super::places::PlacesOf;
@@ -21,13 +21,14 @@ pub(super) struct Enclosure {
 
 impl Enclosure {
     /// The true position and motion near `pose`, which belongs to `mechanism`, which was made from `scene`; its drives
-    /// may have been given other positions and rates since.
+    /// may have been given other positions and rates since, and stand anywhere within `room` of these.
     ///
     /// Bounds are infinite where nothing is proved: that there is one assembly near the pose and no other, or that its
     /// equations are regular; or numbers leave the range of f64. `None` where a drive has no position.
-    pub fn new(scene: &Scene, mechanism: &Mechanism, pose: &Pose, order: Order) -> Option<Enclosure> {
-        let placed = TruePlaces::new(&Given { scene, mechanism: mechanism.for_positions() }, pose)?;
-        let places = PlacesOf { given: Given { scene, mechanism }, points: &placed.points, guides: &placed.guides };
+    pub fn new(scene: &Scene, mechanism: &Mechanism, pose: &Pose, order: Order, room: Room) -> Option<Enclosure> {
+        let placed = TruePlaces::new(&Given { scene, mechanism: mechanism.for_positions(), room }, pose)?;
+        let places =
+            PlacesOf { given: Given { scene, mechanism, room }, points: &placed.points, guides: &placed.guides };
         let state = bounded_motion(mechanism, &places, order);
         Some(Enclosure { state, placed })
     }
@@ -126,7 +127,8 @@ pub(super) struct Loaded<'a> {
 
 impl<'a> Loaded<'a> {
     pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, enclosure: &'a Enclosure) -> Loaded<'a> {
-        let given = Given { scene, mechanism };
+        // Where drives stand is in the enclosure.
+        let given = Given { scene, mechanism, room: Room::default() };
         let TruePlaces { points, guides, .. } = &enclosure.placed;
         Loaded { places: PlacesOf { given, points, guides }, enclosure, locals: Locals::new(given) }
     }

@@ -10,7 +10,7 @@ use crate::quantity::{AccelerationPart, Component, ForceRead, Quantity, Quantity
 use crate::sheet::{Order, Scales};
 
 /// The true value of a quantity, with its bound.
-enum TrueValue {
+pub(super) enum TrueValue {
     Number(Ball),
     Vector(Vector),
 }
@@ -63,7 +63,7 @@ impl Bounds<'_> {
     }
 
     /// The true value, of a vector's component the whole vector; `None` where it cannot be had.
-    fn true_value(&self, e: &Enclosure, asked: &QuantityRequest) -> Option<TrueValue> {
+    pub(super) fn true_value(&self, e: &Enclosure, asked: &QuantityRequest) -> Option<TrueValue> {
         Some(match &asked.what {
             What::Coriolis(slider, on) => TrueValue::Vector(e.coriolis(*slider, *on)),
             What::Coordinate(axis, spot) => {
