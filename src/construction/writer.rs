@@ -305,7 +305,13 @@ impl<'a> Writer<'a> {
     }
 
     /// Takes a number of the scene, or with `by_hand` false one of the computed motion; none for zero.
-    pub(super) fn take(&mut self, by_hand: bool, sheet: impl Into<Sheet>, kind: NumberKind, value: f64) -> Option<NumberId> {
+    pub(super) fn take(
+        &mut self,
+        by_hand: bool,
+        sheet: impl Into<Sheet>,
+        kind: NumberKind,
+        value: f64,
+    ) -> Option<NumberId> {
         if value == 0.0 {
             return None;
         }
@@ -341,7 +347,13 @@ impl<'a> Writer<'a> {
     }
 
     /// Lays off a vector whose size is a sum of products; returns its end, which is `from` for an empty sum.
-    pub(crate) fn lay_off(&mut self, sheet: impl Into<Sheet>, from: PlaceId, sum: Vec<Product>, along: Along) -> PlaceId {
+    pub(crate) fn lay_off(
+        &mut self,
+        sheet: impl Into<Sheet>,
+        from: PlaceId,
+        sum: Vec<Product>,
+        along: Along,
+    ) -> PlaceId {
         if sum.is_empty() {
             return from;
         }

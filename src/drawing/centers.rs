@@ -232,11 +232,12 @@ impl CentersOnPaper<'_> {
     fn special_at(&self, center: &Center) -> Option<String> {
         let place = center.place.finite().filter(|_| center.figure == FigureOf::Mechanism && !center.is_permanent())?;
         let near = 1e-9 * span(self.context.solution.pose.points.iter().copied());
-        let special = self.context.construction().special.iter().filter(|special| special.is_assur).find(|special| {
-            let bases = special.cuts.each_ref().map(|cut| cut.leg.base);
-            let is_its = bases[0] == bases[1] && center.pair.other(special.link) == Some(bases[0]);
-            is_its && special.place.finite().is_some_and(|own| (own - place).norm() <= near)
-        })?;
+        let special =
+            self.context.construction().special.iter().filter(|special| special.is_assur).find(|special| {
+                let bases = special.cuts.each_ref().map(|cut| cut.leg.base);
+                let is_its = bases[0] == bases[1] && center.pair.other(special.link) == Some(bases[0]);
+                is_its && special.place.finite().is_some_and(|own| (own - place).norm() <= near)
+            })?;
         Some(self.context.facts.markup(&special.name))
     }
 
@@ -249,7 +250,8 @@ impl CentersOnPaper<'_> {
             let Some((line, edge, along)) = self.way_to(canvas, center) else { continue };
             canvas.step = self.steps.centers[index];
             let symbol = self.symbol(center);
-            let start = line.through.iter().map(|id| self.centers.get(*id)).find(|center| center.place.finite().is_some());
+            let start =
+                line.through.iter().map(|id| self.centers.get(*id)).find(|center| center.place.finite().is_some());
             let words = match (center.place, start.and_then(|start| Some((start, start.place.finite()?)))) {
                 (Place::At(place), Some((start, from))) => {
                     let unit = self.context.solution.scene.units.length.as_str();
@@ -275,7 +277,9 @@ impl CentersOnPaper<'_> {
             };
             let on_line = || line.through.iter().filter_map(|id| self.centers.get(*id).place.finite());
             for way in ways {
-                let Some((_, edge)) = clipped_segment(canvas.room().inset(-1.5), at, at + way * reach) else { continue };
+                let Some((_, edge)) = clipped_segment(canvas.room().inset(-1.5), at, at + way * reach) else {
+                    continue;
+                };
                 let last = on_line().map(|place| (self.view.at(place) - at).dot(way)).fold(0.0, f64::max);
                 let free = (edge - at).dot(way) - last;
                 if best.is_none_or(|(most, _)| free > most + 1e-6) {
@@ -296,7 +300,9 @@ impl CentersOnPaper<'_> {
     /// Arrows at the blocks towards the permanent centres at infinity.
     fn guides(&self, canvas: &mut Canvas<'_>) {
         for (index, center) in self.centers.all.iter().enumerate() {
-            let (CenterOrigin::Guide(slider), Place::AtInfinity(along)) = (&center.origin, center.place) else { continue };
+            let (CenterOrigin::Guide(slider), Place::AtInfinity(along)) = (&center.origin, center.place) else {
+                continue;
+            };
             canvas.step = self.steps.centers[index];
             let at = self.view.at(self.context.solution.pose.point(self.context.mechanism().slider(*slider).at));
             let along = on_sheet(along).normalize();
@@ -326,7 +332,7 @@ impl CentersOnPaper<'_> {
             canvas.draw_named(&format!("velocity-{name}"), Pen::Velocity, canvas.arrow(at, tip));
             let value = self.context.words.write(velocity.velocity.norm(), VALUE);
             let symbol = RichText::math(&format!("v_{{{name}}}"));
-            let value = format!(" = {value} {}", QuantityKind::Velocity.unit(units));
+            let value = format!("= {value} {}", QuantityKind::Velocity.unit(units));
             let text = symbol.clone().followed_by(&RichText::plain(&value));
             let request = LabelRequest::new(text, at.lerp(tip, 0.75), 1.0, None, 2);
             canvas.ask(&format!("velocity-{name}"), request).short = Some(symbol);

@@ -25,7 +25,9 @@ pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f
     let is_said = !agrees || (!has_list && !is_projected);
     // On a screen there is no paper to be measured on.
     let printed = (context.surface.series != Series::Any).then(|| context.words.language.printed().to_owned());
-    let sentence = is_said.then(|| std::iter::once(sentence).filter(|said| !said.is_empty()).chain(printed).collect::<Vec<_>>().join(" "));
+    let sentence = is_said.then(|| {
+        std::iter::once(sentence).filter(|said| !said.is_empty()).chain(printed).collect::<Vec<_>>().join(" ")
+    });
     let sentences: Vec<String> = sentence_on_paths(context).into_iter().chain(sentence).collect();
     let together = (!sentences.is_empty()).then(|| sentences.join(" "));
     Lines { step, ..Lines::of(&together, context.surface.dims.width_below() - beside) }

@@ -4,10 +4,10 @@ use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::centers::check_centers;
 use super::choices::{FrameName, Units};
 use super::digits::Digits;
 use super::error::{SceneError, Source, Wrong};
-use super::centers::check_centers;
 use super::figure::{Figure, check_traced};
 use super::given::{GivenBy, PointMotion};
 use super::joint::{Slider, SliderFile, sliders};

@@ -230,8 +230,7 @@ fn without_a_link(permanent: &[Two], joints: &Places, reached: &Diagram) -> Opti
         let center = two(a, b);
         let Some(own) = joints.line(center, link).filter(|_| !reached.has(center)) else { continue };
         let others: Vec<Two> = permanent.iter().copied().filter(|pair| !pair.contains(&link)).collect();
-        let glued: Vec<Glued> =
-            others.iter().filter_map(|&together| glue(&others, joints, center, together)).collect();
+        let glued: Vec<Glued> = others.iter().filter_map(|&together| glue(&others, joints, center, together)).collect();
         for (index, first) in glued.iter().enumerate() {
             for second in &glued[index + 1..] {
                 let line = first.place.joined(second.place);

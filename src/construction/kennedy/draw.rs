@@ -123,7 +123,8 @@ impl Writer<'_> {
                 let names = [Some(pair), LinkPair::new(other(a), b), LinkPair::new(a, other(b))];
                 let joint = |pair: LinkPair| of(pair, FigureOf::Mechanism).filter(|id| centers.get(*id).is_permanent());
                 let [first, second] = together.links();
-                let shared = of(pair, FigureOf::Mechanism).filter(|id| centers.is_without(*id, &[without, first, second]));
+                let shared =
+                    of(pair, FigureOf::Mechanism).filter(|id| centers.is_without(*id, &[without, first, second]));
                 let own = |pair: LinkPair| of(pair, figure).or_else(|| joint(pair));
                 names.into_iter().flatten().find_map(own).or(shared)
             }
@@ -142,9 +143,7 @@ impl Writer<'_> {
         let (pair, lines) = (LinkPair::new(a, b)?, [first?, second?]);
         match self.figure_of(pair, &lines, figure) {
             // It has been found before.
-            FigureOf::Mechanism if figure != FigureOf::Mechanism && self.drawn_centers().of(pair).is_some() => {
-                self.drawn_centers().of(pair)
-            }
+            FigureOf::Mechanism if self.drawn_centers().of(pair).is_some() => self.drawn_centers().of(pair),
             own => self.center_at(pair, own, lines),
         }
     }
@@ -180,18 +179,14 @@ impl Writer<'_> {
                 glued[index] = self.center_of([a, b], figure);
             }
         }
-        let own = [self.center_of([a, without], FigureOf::Mechanism)?, self.center_of([b, without], FigureOf::Mechanism)?];
+        let own =
+            [self.center_of([a, without], FigureOf::Mechanism)?, self.center_of([b, without], FigureOf::Mechanism)?];
         let lines = [(None, [glued[0]?, glued[1]?]), (Some(without), own)];
         self.center_at(LinkPair::new(a, b)?, FigureOf::Mechanism, lines)
     }
 
     /// Draws both lines of a centre and crosses them, each in a step.
-    fn center_at(
-        &mut self,
-        pair: LinkPair,
-        figure: FigureOf,
-        lines: [OverLink; 2],
-    ) -> Option<CenterId> {
+    fn center_at(&mut self, pair: LinkPair, figure: FigureOf, lines: [OverLink; 2]) -> Option<CenterId> {
         let id = CenterId(self.drawn_centers().all.len());
         let mut drawn = Vec::new();
         for (side, (over, through)) in lines.into_iter().enumerate() {

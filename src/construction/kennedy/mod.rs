@@ -123,7 +123,6 @@ impl Center {
             _ => &[],
         }
     }
-
 }
 
 impl FigureOf {

@@ -22,7 +22,8 @@ const SIZE: f64 = 0.85 * CAPTION;
 
 /// Draws the diagram in the free place that is nearest to a corner of the panel; nothing where there is none.
 pub(super) fn draw(panel: &CentersOnPaper<'_>, canvas: &mut Canvas<'_>) {
-    let Some((centre, radius)) = RADII.into_iter().find_map(|radius| Some((free_place(canvas, radius + NAMES)?, radius)))
+    let Some((centre, radius)) =
+        RADII.into_iter().find_map(|radius| Some((free_place(canvas, radius + NAMES)?, radius)))
     else {
         return;
     };
@@ -73,7 +74,7 @@ pub(super) fn draw(panel: &CentersOnPaper<'_>, canvas: &mut Canvas<'_>) {
 fn place_of_number([a, b]: [Point; 2], edges: &[[Point; 2]], numbers: &[Point]) -> Point {
     /// Distance of a number from its edge, from other edges and from other numbers that is enough, in mm.
     const BESIDE: f64 = 1.5;
-    const FROM_EDGES: f64 = 1.5;
+    const FROM_EDGES: f64 = 2.8;
     const FROM_NUMBERS: f64 = 3.0;
     const SHARES: [f64; 9] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.19, 0.81];
     let along = (b - a).normalize();
@@ -82,7 +83,8 @@ fn place_of_number([a, b]: [Point; 2], edges: &[[Point; 2]], numbers: &[Point]) 
         let others = edges.iter().filter(|edge| **edge != [a, b]);
         let from_edges = others.map(|[c, d]| Line::new(*c, *d).nearest(*at, 1e-6).distance_sq.sqrt());
         let from_edges = from_edges.fold(f64::INFINITY, f64::min) / FROM_EDGES;
-        let from_numbers = numbers.iter().map(|number| (*number - *at).hypot()).fold(f64::INFINITY, f64::min) / FROM_NUMBERS;
+        let from_numbers =
+            numbers.iter().map(|number| (*number - *at).hypot()).fold(f64::INFINITY, f64::min) / FROM_NUMBERS;
         from_edges.min(from_numbers).min(1.0)
     };
     let places = SHARES.into_iter().flat_map(|share| [beside, -beside].map(|beside| a.lerp(b, share) + beside));
