@@ -154,9 +154,13 @@ fn placed(links: usize, chain: &Chain, random: &mut Random) -> (Places, Vec<Vec<
 fn apart(place: Homogeneous, truth: [f64; 3]) -> f64 {
     let [x, y] = place.place();
     let own = if place.is_at_infinity() { [x, y, 0.0] } else { [x, y, 1.0] };
-    let [a, b] = [own, truth].map(|v| v.map(|part| part / v[0].hypot(v[1]).hypot(v[2])));
+    let [a, b] = [own, truth].map(|v| v.map(|part| part / size(v)));
     let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    cross[0].hypot(cross[1]).hypot(cross[2])
+    size(cross)
+}
+
+fn size([a, b, c]: [f64; 3]) -> f64 {
+    libm::hypot(libm::hypot(a, b), c)
 }
 
 fn pairs(links: usize) -> Vec<Two> {
