@@ -332,7 +332,7 @@ impl CentersOnPaper<'_> {
             canvas.draw_named(&format!("velocity-{name}"), Pen::Velocity, canvas.arrow(at, tip));
             let value = self.context.words.write(velocity.velocity.norm(), VALUE);
             let symbol = RichText::math(&format!("v_{{{name}}}"));
-            let value = format!(" = {value} {}", QuantityKind::Velocity.unit(units));
+            let value = format!("= {value} {}", QuantityKind::Velocity.unit(units));
             let text = symbol.clone().followed_by(&RichText::plain(&value));
             let request = LabelRequest::new(text, at.lerp(tip, 0.75), 1.0, None, 2);
             canvas.ask(&format!("velocity-{name}"), request).short = Some(symbol);

@@ -154,9 +154,13 @@ fn placed(links: usize, chain: &Chain, random: &mut Random) -> (Places, Vec<Vec<
 fn apart(place: Homogeneous, truth: [f64; 3]) -> f64 {
     let [x, y] = place.place();
     let own = if place.is_at_infinity() { [x, y, 0.0] } else { [x, y, 1.0] };
-    let [a, b] = [own, truth].map(|v| v.map(|part| part / v[0].hypot(v[1]).hypot(v[2])));
+    let [a, b] = [own, truth].map(|v| v.map(|part| part / size(v)));
     let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    cross[0].hypot(cross[1]).hypot(cross[2])
+    size(cross)
+}
+
+fn size([a, b, c]: [f64; 3]) -> f64 {
+    libm::hypot(libm::hypot(a, b), c)
 }
 
 fn pairs(links: usize) -> Vec<Two> {
@@ -337,6 +341,13 @@ fn of_random_mechanisms() {
             let mut scene: Value = serde_json::from_str(&text).expect("a scene");
             scene["figure"] = json!({ "panels": ["centers"], "centers": "all" });
             let Ok(solution) = solved(&scene.to_string()) else { continue };
+            // A group on the frame alone stands still: its centres with the crank hang on its rest, on no line.
+            let is_moved = |(id, _): (_, _)| {
+                solution.motion.body(id).omega != 0.0 || solution.motion.body(id).velocity.norm() > 0.0
+            };
+            if !solution.mechanism.links().all(is_moved) {
+                continue;
+            }
             let centers = centers(&solution);
             made += 1;
             lines += centers.all.iter().filter(|center| !center.is_permanent()).count();
@@ -348,5 +359,5 @@ fn of_random_mechanisms() {
         }
     }
     println!("{made} mechanisms, {lines} centres by lines");
-    assert!(made > 90 && lines > 500);
+    assert!(made > 60 && lines > 300);
 }

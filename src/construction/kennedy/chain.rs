@@ -39,7 +39,7 @@ impl Homogeneous {
 
     fn normalized(self) -> Homogeneous {
         let Homogeneous([x, y, weight]) = self;
-        let is_far = weight.abs() <= NO_WEIGHT * x.hypot(y);
+        let is_far = weight.abs() <= NO_WEIGHT * libm::hypot(x, y);
         let all = [x, y, if is_far { 0.0 } else { weight }];
         Homogeneous(all.map(|part| part / norm(all)))
     }
@@ -74,7 +74,7 @@ impl ProjectiveLine {
     /// The sine of the angle between two lines: 1 where one is that at infinity, 0 of parallel lines.
     #[must_use]
     pub fn sine(self, other: ProjectiveLine) -> f64 {
-        let size = |line: ProjectiveLine| line.0[0].hypot(line.0[1]);
+        let size = |line: ProjectiveLine| libm::hypot(line.0[0], line.0[1]);
         let sizes = size(self) * size(other);
         if self.is_at_infinity() || other.is_at_infinity() {
             return 1.0;
@@ -83,12 +83,12 @@ impl ProjectiveLine {
     }
 
     fn is_at_infinity(self) -> bool {
-        self.0[0].hypot(self.0[1]) <= NO_WEIGHT
+        libm::hypot(self.0[0], self.0[1]) <= NO_WEIGHT
     }
 }
 
 fn norm([a, b, c]: [f64; 3]) -> f64 {
-    a.hypot(b).hypot(c)
+    libm::hypot(libm::hypot(a, b), c)
 }
 
 /// The cross product of two vectors of length 1, at length 1; `None` where they are one.

@@ -143,9 +143,7 @@ impl Writer<'_> {
         let (pair, lines) = (LinkPair::new(a, b)?, [first?, second?]);
         match self.figure_of(pair, &lines, figure) {
             // It has been found before.
-            FigureOf::Mechanism if figure != FigureOf::Mechanism && self.drawn_centers().of(pair).is_some() => {
-                self.drawn_centers().of(pair)
-            }
+            FigureOf::Mechanism if self.drawn_centers().of(pair).is_some() => self.drawn_centers().of(pair),
             own => self.center_at(pair, own, lines),
         }
     }

@@ -74,7 +74,7 @@ pub(super) fn draw(panel: &CentersOnPaper<'_>, canvas: &mut Canvas<'_>) {
 fn place_of_number([a, b]: [Point; 2], edges: &[[Point; 2]], numbers: &[Point]) -> Point {
     /// Distance of a number from its edge, from other edges and from other numbers that is enough, in mm.
     const BESIDE: f64 = 1.5;
-    const FROM_EDGES: f64 = 1.5;
+    const FROM_EDGES: f64 = 2.8;
     const FROM_NUMBERS: f64 = 3.0;
     const SHARES: [f64; 9] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.19, 0.81];
     let along = (b - a).normalize();
