@@ -14,7 +14,7 @@ use crate::drawing::{
     hand_sheets,
 };
 use crate::format::html_text;
-use crate::geometry::Vector;
+use crate::geometry::{Vector, cross};
 use crate::quantity::{QuantityRequest, What, readable_names};
 use crate::scene::QuantityName;
 use crate::sheet::{PerSheet, Scales, Sheet};
@@ -214,10 +214,20 @@ impl Screen {
             let special = given.construction().special.iter().filter(|special| special.link == id);
             let special = special.map(|special| special.name.as_str()).filter(|name| mechanism.point(name).is_none());
             points.extend(special.collect::<Vec<_>>());
-            // What slides on a link is at a point of it just now.
-            let sliding = mechanism.slider_ids().map(|slider| mechanism.slider(slider));
-            let sliding = sliding.filter(|slider| slider.on == id && !body.points.contains(&slider.at));
-            points.extend(sliding.map(|slider| mechanism.point_name(slider.at)));
+            // What slides on a link is on its guide just now, as are both ends of a piston's rod.
+            for slider in mechanism.slider_ids().filter(|slider| mechanism.slider(*slider).on == id) {
+                let (guide, slider) = (given.solution.pose.guide(slider), mechanism.slider(slider));
+                let Some(at) = place(mechanism.point_name(slider.at)) else { continue };
+                let sliding = &mechanism.body(slider.link).points;
+                let names = std::iter::once(&slider.at).chain(sliding).map(|point| mechanism.point_name(*point));
+                let near = 1e-9 * given.size(Sheet::Scheme);
+                let names = names.filter(|name| place(name).is_some_and(|own| cross(guide, own - at).abs() <= near));
+                for name in names {
+                    if !points.contains(&name) {
+                        points.push(name);
+                    }
+                }
+            }
             for (at, from) in points.iter().enumerate() {
                 for to in &points[at + 1..] {
                     if let (Some(start), Some(end)) = (place(from), place(to)) {
