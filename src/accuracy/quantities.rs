@@ -6,11 +6,11 @@ use super::given::Vector;
 use crate::construction::{Rate, image_name, normal_name};
 use crate::geometry::{Ball, Number};
 use crate::mechanism::BodyId;
-use crate::quantity::{AccelerationPart, Component, Quantity, QuantityRequest, Spot, What};
+use crate::quantity::{AccelerationPart, Component, ForceRead, Quantity, QuantityRequest, Spot, What};
 use crate::sheet::{Order, Scales};
 
 /// The true value of a quantity, with its bound.
-enum TrueValue {
+pub(super) enum TrueValue {
     Number(Ball),
     Vector(Vector),
 }
@@ -63,7 +63,7 @@ impl Bounds<'_> {
     }
 
     /// The true value, of a vector's component the whole vector; `None` where it cannot be had.
-    fn true_value(&self, e: &Enclosure, asked: &QuantityRequest) -> Option<TrueValue> {
+    pub(super) fn true_value(&self, e: &Enclosure, asked: &QuantityRequest) -> Option<TrueValue> {
         Some(match &asked.what {
             What::Coriolis(slider, on) => TrueValue::Vector(e.coriolis(*slider, *on)),
             What::Coordinate(axis, spot) => {
@@ -96,6 +96,10 @@ impl Bounds<'_> {
                 let (body, place) = self.true_place(e, spot)?;
                 TrueValue::Number(e.path_radius(body, place))
             }
+            What::Force(of, mechanism) => match of.read(mechanism, self.forces()?, |slider| e.guide(slider))? {
+                ForceRead::Number(number) => TrueValue::Number(number),
+                ForceRead::Vector(vector) => TrueValue::Vector(vector),
+            },
             What::Rate(_) | What::Angle(_) | What::SlidePosition(_) => return None,
         })
     }

@@ -12,7 +12,7 @@ use crate::message::Message;
 use crate::sheet::Sheet;
 
 /// How many times the tolerance a free hand may be off.
-const FREE: f64 = 3.0;
+pub(super) const FREE: f64 = 3.0;
 
 /// What a reading may be off by besides, in mm: rulers have millimetres.
 const RULER: f64 = 0.5;

@@ -1,5 +1,6 @@
 //! The numbers beside the sheets of a board, and the names of one's own that are free.
 
+use super::file::HandDrawing;
 use super::screen::Screen;
 use super::shown::{BoardNumber, FreeNames, NUMBERS};
 use super::table::Table;
@@ -17,12 +18,13 @@ impl Screen {
     /// What the scene gives; and all that a formula may use.
     pub(super) fn numbers(
         &self,
+        drawing: &HandDrawing,
         table: &Table<'_>,
         labels: &SheetLabels<'_>,
         makers: &Makers,
     ) -> [Vec<BoardNumber>; 2] {
-        let numbers = Numbers { screen: self, labels, makers };
-        [numbers.given(table), numbers.all(table)]
+        let numbers = Numbers { screen: self, drawing, table, labels, makers };
+        [numbers.given(), numbers.all()]
     }
 
     /// The next names of one's own that are free.
@@ -34,6 +36,8 @@ impl Screen {
 /// The numbers of a board.
 struct Numbers<'s> {
     screen: &'s Screen,
+    drawing: &'s HandDrawing,
+    table: &'s Table<'s>,
     labels: &'s SheetLabels<'s>,
     makers: &'s Makers,
 }
@@ -50,13 +54,14 @@ impl Numbers<'_> {
             name: name.to_owned(),
             label: html_text(&label),
             value: self.screen.words().write(number, NUMBERS),
-            unit: self.screen.unit(name),
+            unit: self.screen.unit_of(name, entry.map(|index| &self.drawing.did[index]), self.table),
             entry,
         }
     }
 
     /// Rates of drives, and lengths between points of links.
-    fn given(&self, table: &Table<'_>) -> Vec<BoardNumber> {
+    fn given(&self) -> Vec<BoardNumber> {
+        let table = self.table;
         let given = self.screen.judge.given();
         let mechanism = given.mechanism();
         let mut names: Vec<String> = Vec::new();
@@ -82,8 +87,16 @@ impl Numbers<'_> {
             .collect()
     }
 
-    fn all(&self, table: &Table<'_>) -> Vec<BoardNumber> {
-        let mut all = self.given(table);
+    fn all(&self) -> Vec<BoardNumber> {
+        let table = self.table;
+        let mut all = self.given();
+        // Lengths that are taken from the scheme, as up to a block on its lever or to a special point.
+        let pairs = self.screen.references(table).into_iter().filter(|reference| reference.name.contains(','));
+        for name in pairs.map(|reference| format!("L({})", reference.name)) {
+            if let (Some(number), false) = (table.known(&name), all.iter().any(|known| known.name == name)) {
+                all.push(self.number(&name, number, None));
+            }
+        }
         all.extend(
             table
                 .numbers()

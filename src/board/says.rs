@@ -75,4 +75,7 @@ messages! { "board":
     next_point(name, sheet);
     next_number(name);
     no_sheet;
+
+    // The sheets.
+    free_hand(mm, degrees);
 }

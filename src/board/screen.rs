@@ -1,23 +1,25 @@
 //! A drawing as a board on a screen shows it: its sheets, what can be pointed at, the numbers beside them, names to choose from.
 //! Places are in millimetres of a sheet from its upper left corner, y down, as in its picture.
 
-use super::file::{Entry, HandDrawing, LayOff};
+use super::file::{Entry, HandDrawing, LayOff, Snap};
+use super::free_hand::FREE;
 use super::judge::{BoardError, Judge, JudgedDrawing, Verdict};
 use super::reads::reads;
 use super::shown::{Board, BoardEntry, BoardName, BoardRefused, BoardSheet, BoardThing, NUMBERS, NameKind, ThingKind};
 use super::table::{DrawnLine, Made, Table, things};
 use super::writes::own_drawing;
+use crate::construction::Rate;
 use crate::drawing::{
     Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, RichText, SheetLabels, hand_sheet,
     hand_sheets,
 };
 use crate::format::html_text;
-use crate::geometry::Vector;
-use crate::quantity::{QuantityRequest, readable_names};
+use crate::geometry::{Vector, cross};
+use crate::quantity::{QuantityRequest, What, readable_names};
 use crate::scene::QuantityName;
 use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::words::Wording;
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 
 /// A judge with the papers on which drawings of its scene are shown.
@@ -28,13 +30,15 @@ pub struct Screen {
     words: Wording,
     /// Kinegon's own construction, once it is asked for.
     own: OnceCell<Option<HandDrawing>>,
+    /// The papers that were asked for last: a hand that moves over a sheet asks again and again.
+    papers: RefCell<PerSheet<Option<HandPaper>>>,
 }
 
 impl Screen {
     /// A board for the scene of a judge; what it says is in the language of `words`.
     #[must_use]
     pub fn new(judge: Judge, words: Wording) -> Screen {
-        Screen { judge, words, own: OnceCell::new() }
+        Screen { judge, words, own: OnceCell::new(), papers: RefCell::new(PerSheet::from_fn(|_| None)) }
     }
 
     /// The text of an empty drawing of the scene.
@@ -73,7 +77,15 @@ impl Screen {
     /// The paper of a sheet.
     #[must_use]
     pub fn paper(&self, sheet: Sheet, scales: PerSheet<f64>) -> Option<HandPaper> {
-        HandPaper::of(&self.judge.given().solution, sheet, scales[sheet])
+        let known = self.papers.borrow()[sheet].filter(|paper| paper.mu == scales[sheet]);
+        known.or_else(|| {
+            // Helping points of the construction have room, too.
+            let own = self.own().map(|own| self.judge.drawn(own).0);
+            let places: Vec<Vector> = own.iter().flat_map(|table| table.places(sheet)).map(|(_, at)| at).collect();
+            let paper = HandPaper::of(&self.judge.given().solution, sheet, scales[sheet], places)?;
+            self.papers.borrow_mut()[sheet] = Some(paper);
+            Some(paper)
+        })
     }
 
     /// All that a board shows of a drawing; `text` is that of the drawing.
@@ -85,7 +97,7 @@ impl Screen {
         let papers: Vec<(Sheet, HandPaper)> =
             Sheet::ALL.into_iter().filter_map(|sheet| Some((sheet, self.paper(sheet, scales)?))).collect();
         let labels = SheetLabels::of(&self.judge.given().solution);
-        let [given, all] = self.numbers(&table, &labels, &makers);
+        let [given, all] = self.numbers(drawing, &table, &labels, &makers);
         Board {
             drawing: text,
             given,
@@ -93,6 +105,7 @@ impl Screen {
             things: self.things(&table, &papers, &makers, &labels),
             numbers: all,
             names: self.names(&table, &labels),
+            hand: self.free_hand(drawing),
             free: Screen::free_names(&table),
             did: self.entries(drawing, refused.as_ref()),
             refused: refused.map(|BoardError { entry, message }| BoardRefused {
@@ -183,7 +196,7 @@ impl Screen {
         all
     }
 
-    /// What gives directions on the scheme: links, pairs of points of larger ones, guides.
+    /// What gives directions on the scheme: links, pairs of their points, guides.
     pub(super) fn references(&self, table: &Table<'_>) -> Vec<Reference> {
         let given = self.judge.given();
         let mechanism = given.mechanism();
@@ -197,17 +210,27 @@ impl Screen {
                 let words = super::says::link(&body.name);
                 all.push(Reference { name: body.name.clone(), kind: ThingKind::Link, words, ends: [from, to] });
             }
-            let is_pair = points.len() == 2;
+            // Of a dyad that is its inner joint, which is there already.
             let special = given.construction().special.iter().filter(|special| special.link == id);
-            points.extend(special.map(|special| special.name.as_str()));
-            // What slides on a link is at a point of it just now.
-            let sliding = mechanism.slider_ids().map(|slider| mechanism.slider(slider));
-            let sliding = sliding.filter(|slider| slider.on == id && !body.points.contains(&slider.at));
-            points.extend(sliding.map(|slider| mechanism.point_name(slider.at)));
+            let special = special.map(|special| special.name.as_str()).filter(|name| mechanism.point(name).is_none());
+            points.extend(special.collect::<Vec<_>>());
+            // What slides on a link is on its guide just now, as are both ends of a piston's rod.
+            for slider in mechanism.slider_ids().filter(|slider| mechanism.slider(*slider).on == id) {
+                let (guide, slider) = (given.solution.pose.guide(slider), mechanism.slider(slider));
+                let Some(at) = place(mechanism.point_name(slider.at)) else { continue };
+                let sliding = &mechanism.body(slider.link).points;
+                let names = std::iter::once(&slider.at).chain(sliding).map(|point| mechanism.point_name(*point));
+                let near = 1e-9 * given.size(Sheet::Scheme);
+                let names = names.filter(|name| place(name).is_some_and(|own| cross(guide, own - at).abs() <= near));
+                for name in names {
+                    if !points.contains(&name) {
+                        points.push(name);
+                    }
+                }
+            }
             for (at, from) in points.iter().enumerate() {
                 for to in &points[at + 1..] {
-                    let is_whole = is_pair && points[..2].contains(from) && points[..2].contains(to);
-                    if let (Some(start), Some(end), false) = (place(from), place(to), is_whole) {
+                    if let (Some(start), Some(end)) = (place(from), place(to)) {
                         let (name, words) = (format!("{from},{to}"), format!("{from}{to}").into());
                         all.push(Reference { name, kind: ThingKind::Link, words, ends: [start, end] });
                     }
@@ -247,6 +270,7 @@ impl Screen {
                     name: name.to_owned(),
                     label,
                     is_made,
+                    is_turning: false,
                 });
             }
         }
@@ -260,7 +284,8 @@ impl Screen {
             let Ok(asked) = QuantityRequest::new(&name, given.mechanism()) else { continue };
             let is_made = made.contains(&name.as_str());
             let label = html_text(&labels.quantity(&asked));
-            all.push(BoardName { sheet: None, kind: NameKind::Number, name, label, is_made });
+            let is_turning = matches!(asked.what, What::Rate(Rate::Angular(..)));
+            all.push(BoardName { sheet: None, kind: NameKind::Number, name, label, is_made, is_turning });
         }
         all
     }
@@ -279,7 +304,9 @@ impl Screen {
                     Made::Place(on, ..) => sheet = Some(*on),
                     Made::Line(_, line) => sheet = Some(line.sheet),
                     Made::Numbers(all) => {
-                        let values: Vec<String> = all.iter().map(|(name, number)| self.value(name, *number)).collect();
+                        let unit = |name: &str| self.unit_of(name, Some(entry), &table);
+                        let values = all.iter().map(|(name, number)| self.value(*number, &unit(name)));
+                        let values: Vec<String> = values.collect();
                         words = format!("{words}: {}", values.join("; "));
                     }
                 }
@@ -295,13 +322,27 @@ impl Screen {
     }
 
     /// A number with its unit.
-    fn value(&self, name: &str, number: f64) -> String {
-        format!("{} {}", self.words.write(number, NUMBERS), self.unit(name)).trim_end().to_owned()
+    fn value(&self, number: f64, unit: &str) -> String {
+        format!("{} {unit}", self.words.write(number, NUMBERS)).trim_end().to_owned()
     }
 
-    pub(super) fn unit(&self, name: &str) -> String {
-        let kind = QuantityName::parse(name).map(|name| name.head.kind());
-        kind.map_or_else(String::new, |kind| kind.unit(self.judge.given().solution.scene.units))
+    /// The unit of a number by its name; one of the hand's own has that of the sheet on which it was measured, or none.
+    pub(super) fn unit_of(&self, name: &str, made_by: Option<&Entry>, table: &Table<'_>) -> String {
+        let units = self.judge.given().solution.scene.units;
+        match (QuantityName::parse(name), made_by) {
+            (Some(name), _) => name.head.kind().unit(units),
+            (None, Some(Entry::Measure(measure))) => {
+                table.measured_on(measure).map_or_else(|_| String::new(), |sheet| sheet.facts().drawn.unit(units))
+            }
+            (None, _) => String::new(),
+        }
+    }
+
+    /// How near a free hand has to be, in words; none where what it draws is exact.
+    pub(super) fn free_hand(&self, drawing: &HandDrawing) -> Option<String> {
+        let limit = self.judge.tolerance();
+        let [mm, degrees] = [limit.mm, limit.degrees].map(|limit| self.words.write(FREE * limit, NUMBERS));
+        (drawing.snap != Snap::All).then(|| self.words.language.says(&super::says::free_hand(mm, degrees)))
     }
 
     /// What a hand has drawn on a sheet by the first `until` entries, with what a judge has found.
@@ -361,7 +402,8 @@ impl Screen {
         let scales = self.judge.scales(drawing);
         let plans = Sheet::ALL.into_iter().filter(|sheet| sheet.order().is_some() && self.shows(*sheet));
         let hands: Vec<HandSheet> = plans.map(|sheet| self.hand(drawing, sheet, None, judged)).collect();
-        hand_sheets(&self.judge.given().solution, &hands, &scales.map(Some), name)
+        let note = self.free_hand(drawing);
+        hand_sheets(&self.judge.given().solution, &hands, &scales.map(Some), name, note.as_deref())
     }
 }
 

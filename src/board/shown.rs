@@ -26,6 +26,8 @@ pub struct Board {
     pub names: Vec<BoardName>,
     /// The next free names of one's own.
     pub free: FreeNames,
+    /// What is said of the hand where it is free: how near it has to be; none where what it draws is exact.
+    pub hand: Option<String>,
     /// The entries of the drawing, in order.
     pub did: Vec<BoardEntry>,
     /// The first entry that cannot be carried out; none where all can.
@@ -110,6 +112,8 @@ pub struct BoardName {
     pub label: String,
     /// Whether it is there already.
     pub is_made: bool,
+    /// Whether it is the rate of a link, which turns in one sense or the other.
+    pub is_turning: bool,
 }
 
 /// What a name is of.

@@ -62,11 +62,12 @@ impl Slip<'_, '_> {
         let mechanism = given.mechanism();
         let is_near = |a: Vector, b: Vector| (a - b).norm() <= self.tolerance.max(1e-6) * b.norm();
         let mut sliders = mechanism.slider_ids().filter(|_| sheet == Sheet::Acceleration);
-        let id = sliders.find(|&id| {
+        let part = |id| {
             let size = given.number(&format!("a_c({})", mechanism.slider_name(id))).unwrap_or(0.0);
-            let part = quarter_turn(given.solution.pose.guide(id)) * size;
-            size != 0.0 && (is_near(right, part) || is_near(right, -part))
-        })?;
+            quarter_turn(given.solution.pose.guide(id)) * size
+        };
+        let id = sliders
+            .find(|&id| part(id) != Vector::zeros() && (is_near(right, part(id)) || is_near(right, -part(id))))?;
         let slider = mechanism.slider_name(id);
         let link = &mechanism.body(mechanism.slider(id).on).name;
         let [rate, velocity] = [format!("omega({link})"), format!("v_r({slider})")].map(Blank::Symbol);
@@ -75,6 +76,8 @@ impl Slip<'_, '_> {
             return Some(tell::coriolis_along(from, to, rate, velocity));
         }
         if is_near(found, across) {
+            // Laid off backwards it ends at what is known; its direction is that from its own beginning.
+            let [from, to] = if right.dot(&part(id)) < 0.0 { [to, from] } else { [from, to] };
             return Some(tell::coriolis_turned(from, to, rate, velocity));
         }
         let ratio = found.norm() / right.norm();

@@ -216,15 +216,29 @@ impl Slip<'_, '_> {
         Blank::Symbol(link.map_or_else(|| "ω".to_owned(), |(_, body)| format!("omega({})", body.name)))
     }
 
-    /// A length or a segment that stands for another, which would be right.
+    /// A length or a segment that stands for another, which would be right: one between points that are drawn before others.
     fn exchanged(&self, formulas: &[&Formula], is_right: &dyn Fn(&str, f64) -> bool) -> Option<Told> {
+        let is_drawn = |name: &str| {
+            super::reads::segment_of(name)
+                .is_some_and(|(sheet, ends)| ends.iter().all(|end| self.table.place(sheet, end).is_some()))
+        };
+        let drawn = self.exchanged_for(formulas, is_right, &is_drawn);
+        drawn.or_else(|| self.exchanged_for(formulas, is_right, &|_| true))
+    }
+
+    fn exchanged_for(
+        &self,
+        formulas: &[&Formula],
+        is_right: &dyn Fn(&str, f64) -> bool,
+        is_meant: &dyn Fn(&str) -> bool,
+    ) -> Option<Told> {
         formulas.iter().flat_map(|formula| formula.names()).find_map(|own| {
             let (sheet, ends) = super::reads::segment_of(own)?;
             let all = match sheet.order() {
                 None => lengths(self.table),
                 Some(order) => segments(self.table, order),
             };
-            let (other, _) = all.into_iter().find(|(_, length)| is_right(own, *length))?;
+            let (other, _) = all.into_iter().find(|(other, length)| is_meant(other) && is_right(own, *length))?;
             let [from, to] = ends.each_ref().map(|end| Blank::from(end.as_str()));
             Some(match sheet {
                 Sheet::Scheme => tell::wrong_length(Blank::Symbol(other), from, to),
@@ -301,7 +315,8 @@ impl Slip<'_, '_> {
 fn written_otherwise(name: &str, found: f64, right: f64, tolerance: f64) -> Option<Told> {
     let near = |a: f64, b: f64| (a - b).abs() <= tolerance.max(0.006) * b.abs();
     let quantity = || Blank::Quantity(name.to_owned());
-    let number = |x: f64| Blank::Number(crate::format::json(&rounded(x)).trim().to_owned());
+    // Digits alone are meant, and the sign stays as it was written.
+    let number = |x: f64| Blank::Number(crate::format::json(&rounded(x.copysign(found))).trim().to_owned());
     for power in [1, 2, 3, -1, -2, -3] {
         if near(found.abs() * libm::pow(10.0, -f64::from(power)), right.abs()) {
             return Some(tell::decimal_slipped(quantity(), number(found), number(right)));

@@ -249,9 +249,14 @@ impl Press<'_> {
             }
         };
         if self.pressed.sheet == Sheet::Scheme {
-            for reference in self.screen.references(self.table) {
+            let all = self.screen.references(self.table);
+            for (index, reference) in all.iter().enumerate() {
+                // A link of two points and the two are the same at a press.
+                if all[..index].iter().any(|before| before.ends == reference.ends) {
+                    continue;
+                }
                 let ends = reference.ends.map(|end| self.paper.at(end));
-                add(reference.name, language.says(&reference.words), ends);
+                add(reference.name.clone(), language.says(&reference.words), ends);
             }
         }
         for (name, line) in self.table.lines().filter(|(_, line)| line.sheet == self.pressed.sheet) {
@@ -300,7 +305,12 @@ impl Press<'_> {
                 let at = self.paper.at(place);
                 // Of several points on the edge the one next to the press is meant.
                 let distance = off(place) + 1e-3 * self.distance(at);
-                let mut snapped = self.snapped(self.entry("through", json!(name)), name.to_owned(), at);
+                let mut entry = self.entry("through", json!(name));
+                if self.snap == Snap::None {
+                    // The point is meant, and the line is where the hand has put it.
+                    entry.insert("drawn".to_owned(), self.drawn(press, Some(direction)));
+                }
+                let mut snapped = self.snapped(entry, name.to_owned(), at);
                 // The set square slides with the hand, its edge on the line.
                 let edge = [at, self.paper.at(place + direction * self.paper.mu)];
                 snapped.ghost.push(square(&edge, at, true));

@@ -318,12 +318,21 @@ impl<'g> Table<'g> {
         Ok(Made::Place(sheet, self.new_place(sheet, mark)?, self.drawn_place(sheet, drawn)))
     }
 
-    fn measure(&self, Measure { measure, on, from, to, .. }: &Measure) -> Result<Made, Message> {
+    /// The sheet on which a distance is measured.
+    ///
+    /// # Errors
+    /// It is not said, or a point is missing.
+    pub(super) fn measured_on(&self, Measure { measure, on, from, to, .. }: &Measure) -> Result<Sheet, Message> {
         let named = QuantityName::parse(measure).and_then(|name| match name.head {
             Head::Between(sheet) => Some(sheet),
             _ => None,
         });
-        let sheet = self.sheet(on.or(named), &[from, to])?;
+        self.sheet(on.or(named), &[from, to])
+    }
+
+    fn measure(&self, entry: &Measure) -> Result<Made, Message> {
+        let Measure { measure, from, to, .. } = entry;
+        let sheet = self.measured_on(entry)?;
         let distance = (self.point(sheet, to)? - self.point(sheet, from)?).norm();
         Ok(Made::Numbers(vec![(self.new_number(measure)?, distance)]))
     }

@@ -303,6 +303,8 @@ fn typical_size(path: &Path, kind: QuantityKind) -> f64 {
         QuantityKind::Position | QuantityKind::Length => size,
         QuantityKind::Velocity => first * size,
         QuantityKind::Acceleration => second * size,
+        // How large forces are, only their curves tell.
+        QuantityKind::Force | QuantityKind::Moment => 0.0,
     }
 }
 

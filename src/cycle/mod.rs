@@ -21,6 +21,7 @@
 
 mod alike;
 mod centrode;
+mod certain;
 mod curve;
 mod drive;
 mod event;
@@ -48,6 +49,7 @@ mod walker;
 
 pub(crate) use alike::Assemblies;
 pub use centrode::Centrode;
+pub use certain::CertainExtreme;
 pub use curve::{Curve, Curves, Extreme};
 pub(crate) use drive::differing_drives;
 pub use drive::{Drive, alone};

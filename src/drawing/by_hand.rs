@@ -7,6 +7,7 @@ use super::context::{Purpose, SheetContext};
 use super::exercise::plan_sheet_with;
 use super::held_layout::Pane;
 use super::labels::LabelRequest;
+use super::overlay::cross;
 use super::scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Emphasis, Pen};
@@ -93,17 +94,26 @@ pub struct HandPaper {
 /// White around a plan on its sheet, in parts of the larger side, and at least so many mm: a wrong plan is larger.
 const AROUND: [f64; 2] = [0.3, 25.0];
 
+/// Half the width of the cross by which something wrong is struck, in radii of a point.
+const STRUCK: f64 = 3.5;
+
 impl HandPaper {
-    /// The sheet of a scheme or a plan at a scale, with room for what may come out wrong; `None` for a plan that is not there.
+    /// The sheet of a scheme or a plan at a scale, with room for what may come out wrong, and for other places, in units of the sheet from its
+    /// origin; `None` for a plan that is not there.
     #[must_use]
-    pub fn of(solution: &Solution, sheet: Sheet, mu: f64) -> Option<HandPaper> {
+    pub fn of(
+        solution: &Solution,
+        sheet: Sheet,
+        mu: f64,
+        others: impl IntoIterator<Item = Vector>,
+    ) -> Option<HandPaper> {
         let context = SheetContext::new(solution, Purpose::Exercise);
         let extent = match sheet.order() {
             None => scheme::on_paper::extent(&context),
             Some(order) => super::plan::on_paper::extent(context.construction().plan(order)?, ConstructionShown::Whole),
         };
         let origin = origin(&context, sheet);
-        let extent = extent.with(origin);
+        let extent = others.into_iter().fold(extent.with(origin), |extent, place| extent.with(origin + place));
         let larger = extent.size().amax() / mu;
         let white = if sheet == Sheet::Scheme { AROUND[1] } else { (AROUND[0] * larger).max(AROUND[1]) };
         let rounded = |mm: f64| libm::ceil(mm / 5.0) * 5.0;
@@ -150,9 +160,16 @@ pub fn hand_sheet(solution: &Solution, hand: &HandSheet, paper: &HandPaper, lett
     drawing.enlarged(1.0 / unit).after_step(0)
 }
 
-/// The plans of a drawing board on sheets of paper like those of an exercise, with markers by which a photograph of them is read.
+/// The plans of a drawing board on sheets of paper like those of an exercise, with markers by which a photograph of them is read;
+/// `note` stands below them.
 #[must_use]
-pub fn hand_sheets(solution: &Solution, hand: &[HandSheet], scales: &Scales, name: &str) -> Vec<Drawing> {
+pub fn hand_sheets(
+    solution: &Solution,
+    hand: &[HandSheet],
+    scales: &Scales,
+    name: &str,
+    note: Option<&str>,
+) -> Vec<Drawing> {
     let solution = &bare(solution);
     let plans = hand.iter().filter(|hand| hand.sheet.order().is_some());
     (2..)
@@ -161,7 +178,7 @@ pub fn hand_sheets(solution: &Solution, hand: &[HandSheet], scales: &Scales, nam
             let layer = |canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>| {
                 draw_own(canvas, view, context, hand);
             };
-            plan_sheet_with(solution, scales, name, (hand.sheet, number), &layer)
+            plan_sheet_with(solution, scales, name, (hand.sheet, number), &layer, note)
         })
         .collect()
 }
@@ -176,14 +193,13 @@ fn bare(solution: &Solution) -> Solution {
 }
 
 fn origin(context: &SheetContext<'_>, sheet: Sheet) -> Place {
-    if sheet == Sheet::Scheme { context.construction().origin } else { Place::origin() }
+    if sheet.order().is_none() { context.construction().origin } else { Place::origin() }
 }
 
 fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>, hand: &HandSheet) {
-    match hand.sheet {
-        Sheet::Scheme => scheme::draw(canvas, view, context),
-        Sheet::Velocity => pole(canvas, view, context, Order::Velocity),
-        Sheet::Acceleration => pole(canvas, view, context, Order::Acceleration),
+    match hand.sheet.order() {
+        Some(order) => pole(canvas, view, context, order),
+        None => scheme::draw(canvas, view, context),
     }
     draw_own(canvas, view, context, hand);
 }
@@ -208,33 +224,40 @@ fn draw_own(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>, ha
         };
         let pen = line.look.pen(if hand.sheet == Sheet::Scheme { Pen::Construction } else { Pen::Ray });
         canvas.draw_named(&format!("line-{}", line.name), pen, Shape::Line(a, b)).emphasis = line.look.emphasis();
+        line.look.strike(canvas, a.midpoint(b), context);
         // The name stands at the end that is higher on the sheet, where fewer lines meet.
         let end = if a.y < b.y { a.lerp(b, 0.06) } else { b.lerp(a, 0.06) };
         let text = RichText::math(&display(&line.name));
         let mut request = LabelRequest::new(text, end, 0.8, None, 0);
         request.size = CAPTION;
         request.may_stand_apart = false;
-        canvas.ask(&format!("line-{}-", line.name), request).optional = true;
+        let asked = canvas.ask(&format!("line-{}-", line.name), request);
+        asked.optional = true;
+        asked.pen = line.look.label(asked.pen);
     }
     let pen = match hand.sheet {
         Sheet::Acceleration => Pen::Acceleration,
         _ => Pen::Velocity,
     };
     for (index, vector) in hand.vectors.iter().enumerate() {
-        let arrow = canvas.arrow(at(vector.from), at(vector.to));
+        let [from, to] = [vector.from, vector.to].map(at);
+        vector.look.strike(canvas, from.midpoint(to), context);
+        let arrow = canvas.arrow(from, to);
         canvas.draw_named(&format!("vector-{index}"), vector.look.pen(pen), arrow).emphasis = vector.look.emphasis();
     }
     let plan = context.plan(hand.sheet);
     for point in &hand.points {
         let (center, radius) = (at(point.at), context.surface.dims.dot);
         let pen = match point.look {
-            HandLook::Wrong => Pen::StudentPoint,
+            HandLook::Wrong => Pen::WrongPoint,
             HandLook::Drawn | HandLook::Following | HandLook::Ghost => Pen::ImagePoint,
         };
         let mark = canvas.draw_named(&format!("point-{}", point.name), pen, Shape::Circle { center, radius });
         mark.emphasis = point.look.emphasis();
+        point.look.strike(canvas, center, context);
         let name = RichText::math(&context.shown(&point.name, plan));
-        canvas.ask(&format!("{}-", point.name), LabelRequest::new(name, center, radius + 0.7, None, 2));
+        let asked = canvas.ask(&format!("{}-", point.name), LabelRequest::new(name, center, radius + 0.7, None, 2));
+        asked.pen = point.look.label(asked.pen);
     }
 }
 
@@ -242,8 +265,21 @@ impl HandLook {
     fn pen(self, usual: Pen) -> Pen {
         match self {
             HandLook::Drawn | HandLook::Following => usual,
-            HandLook::Wrong => Pen::Student,
+            HandLook::Wrong => Pen::Wrong,
             HandLook::Ghost => Pen::Hint,
+        }
+    }
+
+    fn label(self, usual: Pen) -> Pen {
+        if self == HandLook::Wrong { Pen::WrongPoint } else { usual }
+    }
+
+    /// Strikes what is wrong, as teachers do: it is known without its colour, too.
+    fn strike(self, canvas: &mut Canvas<'_>, at: kurbo::Point, context: &SheetContext<'_>) {
+        if self == HandLook::Wrong {
+            for arm in cross(at, STRUCK * context.surface.dims.dot) {
+                canvas.draw(Pen::WrongPoint, arm);
+            }
         }
     }
 

@@ -199,19 +199,21 @@ fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, first: u16) -> 
 /// What is drawn on an empty panel.
 pub(super) type Drawn<'a> = &'a dyn Fn(&mut Canvas<'_>, &View, &SheetContext<'_>);
 
-/// The sheet for a plan as a student gets it, with something drawn on it: of the same size and with the same code as the empty one.
+/// The sheet for a plan as a student gets it, with something drawn on it and a note below: of the same size and with the same code as the empty one.
 pub(super) fn plan_sheet_with(
     solution: &Solution,
     scales: &Scales,
     name: &str,
     (plan, number): (Sheet, u16),
     drawn: Drawn<'_>,
+    note: Option<&str>,
 ) -> Drawing {
     let context = SheetContext::new(solution, Purpose::Drawing);
     let mu = PerSheet::from_fn(|sheet| scales[sheet].filter(|_| sheet == plan));
     let pages = pages(context.figure().page);
-    let on_page =
-        |page: Page| sheet_of_plans(&context.on_page(page, mu).with_markers(), &[plan], number, name, Some(drawn));
+    let on_page = |page: Page| {
+        sheet_of_plans(&context.on_page(page, mu).with_markers(), &[plan], number, name, Some((drawn, note)))
+    };
     let mut tried = pages.into_iter().flatten().map(on_page);
     let fitting = tried.find_map(|(drawing, fits)| fits.then_some(drawing));
     fitting.unwrap_or_else(|| on_page(pages[1][0]).0)
@@ -223,11 +225,11 @@ fn sheet_of_plans<'a>(
     plans: &[Sheet],
     number: u16,
     name: &str,
-    drawn: Option<Drawn<'a>>,
+    drawn: Option<(Drawn<'a>, Option<&str>)>,
 ) -> (Drawing, bool) {
     let panels = plans.iter().filter_map(|plan| {
         let mut panel = panel(context, *plan)?;
-        if let Some(drawn) = drawn {
+        if let Some((drawn, _)) = drawn {
             panel.layers.push(Box::new(move |canvas: &mut Canvas<'_>, view: &View| drawn(canvas, view, context)));
         }
         Some(panel)
@@ -235,7 +237,9 @@ fn sheet_of_plans<'a>(
     let sheet = Composition::new(context, panels.collect());
     let has_markers = context.surface.dims.free.has_markers();
     let sentence = has_markers.then(|| context.words.language.sheet_markers().to_owned());
-    let sheet = with_notes(sheet.with_code(number, name), [Vec::new(), Vec::from_iter(sentence)], true);
+    let note = drawn.and_then(|(_, note)| note).map(str::to_owned);
+    let notes = note.into_iter().chain(sentence).collect();
+    let sheet = with_notes(sheet.with_code(number, name), [Vec::new(), notes], true);
     let mut layout = sheet.layout();
     for placed in &mut layout.panels {
         // The view shows the middle of the extent at the middle of the area.

@@ -168,6 +168,10 @@ pub enum Pen {
     Student,
     /// A point of such a drawing, a small cross, and its name.
     StudentPoint,
+    /// A line or a vector of a hand's drawing that is wrong by itself.
+    Wrong,
+    /// Such a point, its name, and the cross by which a wrong line is struck.
+    WrongPoint,
     /// A marker by which a photograph of the sheet is read, and the small code: black in every style.
     #[serde(skip_deserializing)]
     #[schemars(skip)]
@@ -180,7 +184,7 @@ pub enum Pen {
 
 impl Pen {
     /// How many pens have looks of a style.
-    pub(super) const COUNT: usize = Pen::StudentPoint as usize + 1;
+    pub(super) const COUNT: usize = Pen::WrongPoint as usize + 1;
 
     /// Its name, as in style files: `link_fill`.
     pub(crate) fn name(self) -> String {

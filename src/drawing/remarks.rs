@@ -27,7 +27,9 @@ pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f
     let is_said = !agrees || (!has_list && !is_projected);
     // On a screen there is no paper to be measured on.
     let printed = (context.surface.series != Series::Any).then(|| context.words.language.printed().to_owned());
-    let sentence = is_said.then(|| std::iter::once(sentence).chain(printed).collect::<Vec<_>>().join(" "));
+    let sentence = is_said.then(|| {
+        std::iter::once(sentence).filter(|said| !said.is_empty()).chain(printed).collect::<Vec<_>>().join(" ")
+    });
     let sentences: Vec<String> = sentence_on_paths(context).into_iter().chain(sentence).collect();
     let together = (!sentences.is_empty()).then(|| sentences.join(" "));
     Lines { step, ..Lines::of(&together, context.surface.dims.width_below() - beside) }
@@ -41,6 +43,13 @@ pub(super) fn paths(context: &SheetContext<'_>) -> Lines {
 /// The sentence on the agreement of the construction with the loop equations, and whether they agree.
 fn routes(context: &SheetContext<'_>) -> (String, bool) {
     let (language, construction) = (context.words.language, context.construction());
+    // A figure of centres without plans says how these agree.
+    let has_plan = context.figure().shown_panels().iter().any(|panel| panel.order().is_some());
+    if let (false, Some(centers)) = (has_plan, &construction.centers) {
+        let Some(worst) = centers.agreement else { return (String::new(), true) };
+        let [difference, allowed] = [worst.difference, worst.allowed].map(|x| context.words.write(x, BOUND));
+        return (language.centers_differ(&difference, &allowed), true);
+    }
     let known = construction.agreement.iter().flatten();
     let worst = known.max_by(|a, b| a.difference.total_cmp(&b.difference));
     match worst {

@@ -1,3 +1,4 @@
+use super::forces::ForcesResult;
 use crate::accuracy::says::unbounded;
 use crate::accuracy::{Bounds, bounds};
 use crate::centers::Center;
@@ -7,7 +8,7 @@ use crate::drawing::FigureSheets;
 use crate::geometry::{Place, Point, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::quantity::{Band, Head, Pencil, Quantity, QuantityRequest, Unread, measured_names};
-use crate::scene::{SceneError, Units};
+use crate::scene::{ForceUnit, MassUnit, SceneError, Units};
 use crate::sheet::{Order, Scales};
 use crate::words::Wording;
 use indexmap::IndexMap;
@@ -43,6 +44,9 @@ pub struct ResultFile {
     /// By quantity name: bound on its error, of a vector that of each component, of an angle in degrees.
     #[schemars(with = "IndexMap<String, Option<f64>>")]
     pub quantity_errors: IndexMap<String, f64>,
+    /// What joints carry and drives need; only of a scene with loads.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub forces: Option<ForcesResult>,
     /// By name, as in `P(1,3)`: the instant centres that the scene's `want` asks for; null where the links rest on one another, or no place can be found.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub centers: IndexMap<String, Option<CenterResult>>,
@@ -64,6 +68,23 @@ pub struct ResultUnits {
     pub length: &'static str,
     /// Unit of time.
     pub time: &'static str,
+    /// Unit of mass.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass: Option<&'static str>,
+    /// Unit of force; moments are in force · length.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force: Option<&'static str>,
+}
+
+impl ResultUnits {
+    fn of(units: Units) -> ResultUnits {
+        ResultUnits {
+            length: units.length.as_str(),
+            time: units.time.as_str(),
+            mass: units.mass.map(MassUnit::as_str),
+            force: units.force.map(ForceUnit::as_str),
+        }
+    }
 }
 
 /// The motion of a link.
@@ -365,7 +386,7 @@ impl Solution {
         });
         ResultFile {
             kinegon: 1,
-            units: ResultUnits { length: scene.units.length.as_str(), time: scene.units.time.as_str() },
+            units: ResultUnits::of(scene.units),
             links: links.collect(),
             points: points(self, bounds),
             sliders: sliders.collect(),
@@ -373,6 +394,7 @@ impl Solution {
             groups: groups.collect(),
             quantities: IndexMap::new(),
             quantity_errors: IndexMap::new(),
+            forces: self.forces().map(|forces| ForcesResult::new(self, &forces, bounds)),
             centers: IndexMap::new(),
             pencil: None,
             warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).collect(),

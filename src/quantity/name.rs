@@ -9,6 +9,7 @@ use crate::message::Message;
 use crate::scene::{Component, Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use crate::text::shown;
+use std::sync::Arc;
 
 /// Why a quantity has no value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -122,6 +123,24 @@ pub enum What {
     InflectionDiameter(Pole),
     /// The radius of curvature of the path of a place.
     PathRadius(Spot),
+    /// What a joint carries or a drive needs, in this mechanism.
+    Force(ForceOf, Arc<Mechanism>),
+}
+
+/// A force or a moment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ForceOf {
+    /// The force on a body at a pin.
+    Reaction(PointId, BodyId),
+    /// The force on a sliding link across its guide.
+    Normal(SliderId),
+    /// The couple on a sliding link from its guide.
+    Couple(SliderId),
+    /// The torque of a link's drive.
+    Torque(BodyId),
+    /// The force of a slider's drive along its guide.
+    Push(SliderId),
 }
 
 /// A pole of the motion: a point that the motion of links makes, and no joint has to.
@@ -287,7 +306,43 @@ impl Finder<'_> {
                 What::InflectionDiameter(self.pole(self.name, Head::InflectionPole, arguments)?)
             }
             Head::PathRadius => What::PathRadius(self.spot(first)?),
+            Head::Reaction | Head::GuideForce | Head::GuideCouple | Head::Torque | Head::Push => {
+                What::Force(self.force(*head, first, second)?, Arc::new(self.mechanism.clone()))
+            }
         })
+    }
+
+    /// The force of a name, in a mechanism with loads.
+    fn force(&self, head: Head, first: &str, second: Option<&str>) -> Result<ForceOf, QuantityError> {
+        let none = |why: Message| QuantityError::NoValue(shown(self.name), why);
+        let force = match head {
+            Head::Torque => ForceOf::Torque(self.link(first)?),
+            Head::GuideForce => ForceOf::Normal(self.slider(first)?),
+            Head::GuideCouple => ForceOf::Couple(self.slider(first)?),
+            Head::Push => ForceOf::Push(self.slider(first)?),
+            _ => {
+                let points = self.mechanism.points.iter().map(String::as_str);
+                let pin = self.mechanism.point(first).ok_or_else(|| unknown(self.name, Part::Point, first, points))?;
+                ForceOf::Reaction(pin, self.link(second.ok_or_else(|| self.form())?)?)
+            }
+        };
+        if self.mechanism.loads.is_none() {
+            return Err(none(says::no_loads()));
+        }
+        let is_there = match force {
+            ForceOf::Reaction(pin, link) => {
+                let mut joints = self.mechanism.joints.iter();
+                joints.any(|joint| joint.pin == Some(pin) && joint.bodies.contains(&link))
+            }
+            ForceOf::Torque(link) => matches!(self.mechanism.body(link).role, Role::Driver { .. }),
+            ForceOf::Push(slider) => self.mechanism.slider(slider).drive.is_some(),
+            ForceOf::Normal(_) | ForceOf::Couple(_) => true,
+        };
+        match (is_there, force) {
+            (true, _) => Ok(force),
+            (false, ForceOf::Reaction(..)) => Err(none(says::not_at_pin())),
+            (false, _) => Err(none(says::not_driven())),
+        }
     }
 
     fn link(&self, name: &str) -> Result<BodyId, QuantityError> {

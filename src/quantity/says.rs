@@ -27,6 +27,10 @@ messages! { "quantity":
     link_turns_not;
     path_is_straight;
     place_has_no_size(name);
+    no_loads;
+    not_driven;
+    not_at_pin;
+    no_forces;
     nowhere_in_range;
     no_scale_in_table;
 }

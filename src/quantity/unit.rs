@@ -1,4 +1,4 @@
-use super::name::{AccelerationPart, Pole, PoleOf, QuantityRequest, Spot, What};
+use super::name::{AccelerationPart, ForceOf, Pole, PoleOf, QuantityRequest, Spot, What};
 use crate::construction::Rate;
 use crate::mechanism::Mechanism;
 use crate::scene::Component;
@@ -28,6 +28,7 @@ impl QuantityRequest {
 
     pub(super) fn is_of_vectors(&self) -> bool {
         matches!(self.what, What::Coriolis(..) | What::Motion(..) | What::Part(..) | What::Pole(_))
+            || matches!(self.what, What::Force(ForceOf::Reaction(..), _))
     }
 
     /// Whether it is a place: a vector without a size.
@@ -68,7 +69,8 @@ impl QuantityRequest {
             | What::Length(..)
             | What::Pole(_)
             | What::InflectionDiameter(_)
-            | What::PathRadius(_) => None,
+            | What::PathRadius(_)
+            | What::Force(..) => None,
         }
     }
 
@@ -152,6 +154,15 @@ impl QuantityRequest {
                 Symbol { after: format!("({})", link(pole.of.link())), ..plain("d", "i".to_owned()) }
             }
             What::PathRadius(spot) => plain("ρ", shown(spot.name())),
+            What::Force(of, _) => match *of {
+                ForceOf::Reaction(pin, body) => {
+                    plain("R", format!("{},{}", shown(mechanism.point_name(pin)), link(body)))
+                }
+                ForceOf::Normal(id) => plain("N", names(id).pair),
+                ForceOf::Couple(id) => plain("M", names(id).pair),
+                ForceOf::Torque(id) => plain("T", link(id)),
+                ForceOf::Push(id) => plain("F", names(id).pair),
+            },
             What::Motion(order, a, b) => relative(order.vector(), "", a.name(), b.as_ref().map(|b| b.name())),
             What::Part(part, a, b, _) => {
                 let part = match part {

@@ -7,6 +7,7 @@ use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value as Json, json};
 use std::ops::RangeInclusive;
 
+use super::centers::CentersShown;
 use super::choices::{
     CenterName, ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, NotationName, Page, PageSize,
     ScalesFor, Sizes, SlidingName, StyleName, TurnedName, ValuesShown,
@@ -28,7 +29,7 @@ use crate::text::Untrusted;
 #[serde(default, deny_unknown_fields, expecting = r#"a figure as { "panels": ["scheme", "velocity"] }"#)]
 #[schemars(rename = "figure", description = "What the figure shows, and how large.", transform = without_defaults)]
 pub struct Figure {
-    /// The panels, in order; left out: all three.
+    /// The panels, in order; left out: the scheme and both plans.
     #[schemars(length(min = 1), extend("uniqueItems" = true))]
     pub panels: Vec<Sheet>,
     /// The scales of the panels: units of what a panel shows per millimetre of paper. In the file each has the key of
@@ -100,6 +101,13 @@ pub struct Figure {
     #[serde(deserialize_with = "count")]
     #[schemars(with = "Option<u16>", range(min = 2, max = 72))]
     pub ghosts: Option<usize>,
+    /// The instant centres on the panel "centers", besides those that lead to them: "all", or a list of names, as ["P(2,ground)"]. Left out: all of a
+    /// mechanism with at most four links, of a larger one those of all links with the frame.
+    #[schemars(with = "Option<CentersShown>")]
+    pub centers: CentersShown,
+    /// Points of links whose velocities that panel shows, found by centres from the one driven link.
+    #[schemars(extend("uniqueItems" = true))]
+    pub velocities: Vec<String>,
     /// Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a
     /// photograph of them is read; left out: true.
     pub markers: bool,
@@ -113,7 +121,7 @@ pub struct Figure {
 
 write_keys!(Figure {
     panels, mu, scales, focus, page, worksheet, style, notation, sliding, coriolis, center_letter, frame, turned, language,
-    decimal, labels, special_points, construction, values, step, trace, beyond_limits, centrodes, inflection, ghosts, markers; sizes, usual_values
+    decimal, labels, special_points, construction, values, step, trace, beyond_limits, centrodes, inflection, ghosts, centers, velocities, markers; sizes, usual_values
 } unless Figure::default());
 
 fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
@@ -139,10 +147,10 @@ fn count<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<usize>, D:
 }
 
 impl Default for Figure {
-    /// All three panels with everything on them, on A4 landscape, at scales that fit.
+    /// The scheme and both plans with everything on them, on A4 landscape, at scales that fit.
     fn default() -> Self {
         Figure {
-            panels: Sheet::ALL.to_vec(),
+            panels: Sheet::USUAL.to_vec(),
             mu: Scales::default(),
             scales: ScalesFor::default(),
             focus: None,
@@ -167,6 +175,8 @@ impl Default for Figure {
             centrodes: Vec::new(),
             inflection: Vec::new(),
             ghosts: None,
+            centers: CentersShown::Usual,
+            velocities: Vec::new(),
             markers: true,
             sizes: None,
             usual_values: None,

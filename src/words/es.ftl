@@ -89,6 +89,23 @@ only_roughly = , solo aproximadamente
 direction = dirección {$degrees}°
 angle_of_crossing = ángulo de corte {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Marcar los centros permanentes: {$centers}.
+center_in = {$center} en {$point}
+center_normal_to = {$center} en el infinito, normal a la guía de {$guide}
+center_line = Unir {$first} y {$second}; {$center} está sobre esta recta.
+center_line_towards = Trazar por {$first} la recta hacia {$second}, en el infinito; {$center} está sobre ella.
+center_cross = Marcar {$center} en {$first} y {$second}.
+center_parallel = {$center} está en el infinito: {$first} y {$second} son paralelas.
+center_along = {$center} está en el infinito según {$line}: la otra recta es la del infinito.
+leave_out = Quitar el eslabón {$link} y unir rígidamente {$first} y {$second}: el centro está entonces en {$center}.
+centers_by_rates = Ninguna recta lleva a {$centers}: de las velocidades calculadas.
+rate_by_centers = Calcular {$rate}: en {$center} los eslabones {$driver} y {$link} tienen la misma velocidad.
+velocity_by_centers = Trazar {$vector}, normal al radio {$from} {$point}.
+velocity_of_center = Trazar {$vector}, la de {$center}: el eslabón {$link} no gira.
+centers_differ = Los centros por estas rectas y los del movimiento calculado difieren en {$difference} del tamaño del mecanismo; los cortes permiten {$allowed}.
+
 # The figure.
 
 title = Planos de velocidades y aceleraciones
@@ -97,6 +114,7 @@ velocity_plan = Plano de velocidades
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, girado {$angle}°
 acceleration_plan = Plano de aceleraciones
+centers = Centros instantáneos
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = hasta {$point}: {$distance}
 cut_at_edge = recortado en el borde
@@ -129,9 +147,11 @@ description = Contiene: {$panels}. Grupos de Assur: {$groups}.
 named_scheme = esquema
 named_velocity_plan = plano de velocidades
 named_acceleration_plan = plano de aceleraciones
+named_centers = centros instantáneos
 described_scheme = el mecanismo a escala
 described_velocity_plan = su plano de velocidades
 described_acceleration_plan = su plano de aceleraciones
+described_centers = sus centros instantáneos
 described_group = clase {$class}, eslabones {$links}
 higher = superior
 
@@ -146,6 +166,8 @@ position = Posición
 length = Longitud
 velocity = Velocidad
 acceleration = Aceleración
+force = Fuerza
+moment = Momento
 in_unit = {$kind} en {$unit}
 drive_angle = Ángulo {$symbol} del accionamiento en °
 drive_position = Posición del accionamiento {$drive} en {$unit}
@@ -732,6 +754,35 @@ scene-add_at = añada "at", el punto del eslabón {$link} que está en la guía
 scene-add_link_or_pin = añada "link", el eslabón que desliza; o escriba "pin": "{$point}" para un perno en una ranura
 scene-slides_on_itself = el eslabón {$link} no puede deslizar sobre sí mismo
 
+# Masses and loads.
+
+scene-mass_and_weight = el eslabón {$link} tiene masa y peso
+scene-without_mass = el eslabón {$link} tiene `{$key}`, pero no masa
+scene-no_unit_of_mass = el eslabón {$link} tiene masa, pero la escena no tiene unidad de masa
+scene-add_unit_of_mass = añada `"mass": "kg"` a `units`
+scene-weight_without_gravity = el eslabón {$link} tiene peso, pero la escena no tiene gravedad: su masa no se conoce
+scene-add_gravity = añada `"gravity": [0, -9810]` (en mm y s), o dé una masa
+scene-no_center_of_mass = el eslabón {$link} tiene masa, pero no centro de masa
+scene-add_center = añada `"center"`: un punto como "C", coordenadas [x, y] en el sistema del eslabón, o una distancia a lo largo de su eje
+scene-below_zero = `{$key}` es {$value}, menor que cero
+scene-no_unit_of_force = hay cargas, pero la escena no tiene unidad de fuerza
+scene-add_unit_of_force = añada `"force": "N"` a `units`
+scene-distance_is_drawn = una distancia a lo largo del eje del eslabón {$link}, pero esta escena es una configuración dibujada
+scene-place_as_drawn = dé las coordenadas [x, y] como están dibujadas
+scene-neither_force_nor_couple = una carga es una fuerza, un par, o ambos
+scene-force_nowhere = una fuerza actúa en un lugar
+scene-add_at_of_force = añada `"at"`: un punto como "C", coordenadas [x, y] en el sistema del eslabón, o una distancia a lo largo de su eje
+scene-couple_turns = un par es el mismo gire o no
+scene-turns_is_drawn = en una configuración dibujada una fuerza es como está dibujada
+scene-spring_within_link = ambos extremos del resorte están en un mismo cuerpo: no tira de nada
+scene-spring_between_links = nombre dos cuerpos, como [["3", "C"], ["ground", "A"]]
+scene-no_point_of_ground = el bastidor no tiene el punto {$point}
+scene-distance_on_ground = el bastidor no tiene eje; dé un punto o coordenadas [x, y]
+scene-load_name = `{$name}` no puede ser el nombre de una carga: un nombre no está vacío y no tiene ( ) ni coma
+scene-load_name_twice = dos cargas tienen el nombre {$name}
+scene-other_load_name = elija otro nombre para la carga
+scene-spring_ends = un resorte tiene dos extremos, no {$count}
+
 # The figure.
 
 scene-scale_is = `{$key}` es {$what}
@@ -757,6 +808,10 @@ scene-give_drive = dé a un eslabón un "drive"
 scene-moving_points = los puntos que se mueven son {$all}
 scene-ground_has_no_path = el punto {$point} está en el bastidor y no tiene trayectoria
 scene-name_of_construction = {$name} es un nombre de la construcción, y no un punto de un eslabón
+scene-no_center = "{$name}" no nombra ningún centro instantáneo
+scene-name_center = un centro se nombra por dos eslabones, como P(1,3), o P(2,ground) con el bastidor
+scene-center_twice = el centro {$name} está dos veces
+scene-ground_is_at_rest = el punto {$point} está en el bastidor y no se mueve
 
 # How large a scene may be.
 
@@ -777,6 +832,9 @@ scene-expects_point_or_place = el nombre de un punto entre comillas dobles, o su
 scene-expects_direction = dos puntos como "BE", o un número de grados, o [dx, dy]
 scene-expects_vector = un vector como {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = un eslabón como {"{"} "points": ["A", "B"], … {"}"}, o una lista de sus puntos ["A", "B"]
+scene-expects_link_place = el nombre de un punto entre comillas dobles, sus coordenadas [x, y], o una distancia a lo largo del eje del eslabón
+scene-expects_load = una carga como {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
+scene-expects_spring = un resorte como {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = un eslabón
 scene-expects_ground = los puntos del bastidor como {"{"} "A": [x, y], … {"}"}, o sus nombres como ["A", …]
 scene-expects_drive = un accionamiento como {"{"} "angle": 70, "omega": -1 {"}"}
@@ -786,6 +844,7 @@ scene-expects_link_motion = un movimiento como {"{"} "at": "B", "velocity": [x, 
 scene-expects_slider = una corredera como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = una escena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = una figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", o centros como ["P(2,ground)", "P(1,3)"]
 scene-expects_units = unidades como {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false o "paper"
 scene-expects_truth_or_unit = true, false o una unidad de longitud
@@ -947,6 +1006,10 @@ quantity-rest_on_another = los eslabones están en reposo uno respecto del otro
 quantity-link_turns_not = el eslabón no gira
 quantity-path_is_straight = la trayectoria es recta ahí, o el punto está en reposo
 quantity-place_has_no_size = `{$name}` es un lugar y no tiene módulo; pida su `.x` o su `.y`
+quantity-no_loads = la escena no tiene masas, fuerzas ni resortes
+quantity-not_driven = no está accionado
+quantity-not_at_pin = ese eslabón no tiene articulación en ese perno
+quantity-no_forces = sus cargas salen del rango de los números, o la posición es singular
 quantity-nowhere_in_range = no lo tiene en ninguna posición del intervalo
 quantity-no_scale_in_table = una tabla no tiene escala
 
@@ -1032,6 +1095,7 @@ editing-held_try = arrastre la articulación a otro lugar
 drawing-scheme = el esquema
 drawing-velocity_plan = el plano de velocidades
 drawing-acceleration_plan = el plano de aceleraciones
+drawing-centers = la figura de centros instantáneos
 drawing-overflow = {$panel} no cabe en su panel con {$key} = {$given} y queda recortado; cabe con {$fitting}, o en una hoja mayor
 drawing-no_scale = ninguna
 drawing-cost_of_list = las escalas dejan espacio para la lista de resultados: {$scales}
@@ -1101,6 +1165,8 @@ check-position = posición
 check-length = longitud
 check-velocity = velocidad
 check-acceleration = aceleración
+check-force = una fuerza
+check-moment = un momento
 
 # Tables.
 
@@ -1248,6 +1314,7 @@ board-nothing_drawn = Todavía no hay nada dibujado.
 board-first_wrong = La primera operación incorrecta es la número {$number}.
 board-should = Debería ser: {$what}
 board-no_sheet = la escena no tiene ese plano
+board-free_hand = Mano libre: ±{$mm} mm y ±{$degrees}° valen como correctos
 board-all_there = Está todo.
 board-next_line = Lo siguiente es una línea: {$sheet}.
 board-next_point = Lo siguiente es {$name}: {$sheet}.
@@ -2006,6 +2073,9 @@ page-board-all_sheets = Todas
 page-board-sheet = Tablero: {$name}. Las letras eligen herramientas, N va al siguiente lugar posible, Intro pulsa.
 page-board-list = Operaciones
 page-board-list_none = Todavía no hay nada dibujado.
+page-board-class = Clase: {$count} dibujos
+page-board-class_minutes = {$minutes} min
+page-board-class_away = Guardar la clase
 page-board-back_to_here = Deshacer desde aquí
 page-board-nothing_here = Aquí no hay nada para esta herramienta.
 page-board-write = Dibujar
@@ -2028,7 +2098,7 @@ page-board-pause = Pausa
 page-board-speed = Velocidad de reproducción
 page-board-own_construction = Mostrar la construcción
 page-board-own_drawing = Volver al dibujo propio
-page-board-first_wrong = Primera equivocada: la operación {$number}.
+page-board-first_wrong = Primera equivocada: la operación {$number}
 page-board-all_right = Está todo, y todo es correcto.
 page-board-right_so_far = Hasta aquí, correcto.
 page-board-is_right = correcta
@@ -2042,7 +2112,8 @@ page-board-turned = girada el ángulo
 page-board-at_base = desde
 page-board-angle = con el ángulo
 page-board-other_way = En sentido contrario
-page-board-sense_none = como sale
+page-board-as_it_comes = como sale
+page-board-sign_back = Quitar la última parte
 page-board-ccw = antihorario
 page-board-cw = horario
 page-board-rubbed = {$name} está borrado, con lo que dependía de él.
@@ -2102,6 +2173,7 @@ page-board-slot_names = Incógnitas
 page-board-slot_sense = Sentido
 page-board-slot_base = Recta del plano donde empieza el ángulo, como b,c
 page-board-slot_made = Lo dibujado
+page-board-which_of = Aquí hay {$count} puntos muy juntos: ¿cuál?
 page-board-wants_sheet = ¿En qué lámina?
 page-board-wants_point = Falta un punto: púlselo o elíjalo.
 page-board-wants_scheme = Falta un punto del esquema.
@@ -2140,6 +2212,12 @@ page-sheets-acceleration_panel = Plan de aceleraciones
 page-sheets-acceleration_name = plano de aceleraciones
 page-sheets-acceleration_title = Plano de aceleraciones
 page-sheets-acceleration_from = Del plano de aceleraciones
+page-sheets-centers_short = Centros
+page-sheets-centers_scaled = Centros
+page-sheets-centers_panel = Centros instantáneos
+page-sheets-centers_name = figura de centros instantáneos
+page-sheets-centers_title = Centros instantáneos
+page-sheets-centers_from = De los centros
 
 
 ## The workbench: refused

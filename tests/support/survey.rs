@@ -64,6 +64,9 @@ pub const CENTERS: By<u64> = By(200, 1500, 10_000);
 /// Positions of each starting scene in `whole_errors`.
 pub const WHOLE_POSITIONS: By<u32> = By(1, 2, 60);
 
+/// Mechanisms of `forces`.
+pub const FORCED: By<u64> = By(60, 600, 2000);
+
 // Positions and cycles.
 
 /// Groups of each class of `planted_modes`.

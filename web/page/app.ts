@@ -1,3 +1,4 @@
+import type { HandedIn } from "./board/class.ts";
 import type { EngineClient } from "./engine/client.ts";
 import type { Opened, Picture, Pins, Refused, View } from "./engine/types.ts";
 import type { Broken } from "./motion/film.ts";
@@ -53,6 +54,8 @@ export interface App {
   task: Signal<Task | null>;
   /** How the drawing board is used, where a link has said it. */
   board: Signal<BoardUse | null>;
+  /** The drawings of a class that somebody brings. */
+  handed: Signal<readonly HandedIn[]>;
   /** Whether the drawing board is shown. */
   drawing: Signal<boolean>;
   /** The course that has opened the page; null where none has. */

@@ -7,6 +7,7 @@ import { startEngine, type EngineClient } from "./engine/client.ts";
 import { PATIENCE, type Why } from "./engine/hand.ts";
 import type { Picture, View } from "./engine/types.ts";
 import { loadFonts } from "./fonts.ts";
+import type { HandedIn } from "./board/class.ts";
 import { dropped } from "./layout/brought.ts";
 import { documents } from "./layout/documents.ts";
 import { fullScreen } from "./layout/full.ts";
@@ -95,6 +96,7 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
     show: (panel) => app.shown.set(panel),
     place: signal<{ from: number; to: number } | null>(null),
     brought: signal<{ name: string; text: string } | null>(null),
+    handed: signal<readonly HandedIn[]>([]),
     photographed: signal<File | null>(null),
     film: null,
     open(text) {

@@ -336,7 +336,13 @@ pub(super) fn coriolis_without_two(site: &Site<'_>) -> Vec<Candidate> {
 }
 
 pub(super) fn coriolis_turned(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, tell::coriolis_turned, ProductKind::Coriolis, |p| Some(p.times(-1.0)))
+    let turned = |term: Term<'_>| {
+        let [from, to, rate, velocity] = term.blanks(site);
+        // Where it ends at what is known it is laid off backwards; its direction is that from its own beginning.
+        let [from, to] = if term.product().factor < 0.0 { [to, from] } else { [from, to] };
+        term.candidate(site, tell::coriolis_turned(from, to, rate, velocity), Some(term.product().times(-1.0)))
+    };
+    site.terms(ProductKind::Coriolis).into_iter().map(turned).collect()
 }
 
 /// A Coriolis part 2 ω v added to a link between pins, with v = ω L: it lies along the normal part ω² L and makes it

@@ -27,13 +27,13 @@ fn velocity_of_c() -> [f64; 2] {
 }
 
 /// A bench with the board over the page.
-fn opened(name: &str) -> Option<Bench> {
+pub fn opened(name: &str) -> Option<Bench> {
     let mut bench = Bench::of(name, &files::read("templates/four-bar.json"))?;
     begin(&mut bench);
     Some(bench)
 }
 
-fn begin(bench: &mut Bench) {
+pub fn begin(bench: &mut Bench) {
     bench.panel("check");
     // What stands above it comes from the engine, and moves it.
     bench.until("document.querySelector('#board-begin')?.getClientRects().length > 0");
@@ -44,7 +44,7 @@ fn begin(bench: &mut Bench) {
     bench.settle();
 }
 
-fn drawing(bench: &mut Bench) -> Value {
+pub fn drawing(bench: &mut Bench) -> Value {
     let text = bench.text("kinegon.history.now.value.drawing || '{\"did\":[]}'");
     serde_json::from_str(&text).expect("a drawing is JSON")
 }
@@ -55,7 +55,7 @@ fn known(bench: &mut Bench) -> Value {
 }
 
 /// Where a thing of a sheet is, in mm of the sheet.
-fn at(bench: &mut Bench, sheet: &str, name: &str) -> [f64; 2] {
+pub fn at(bench: &mut Bench, sheet: &str, name: &str) -> [f64; 2] {
     let known = known(bench);
     let things = known["things"].as_array().expect("things");
     let found = things.iter().find(|thing| thing["sheet"] == sheet && thing["name"] == name);
@@ -64,7 +64,7 @@ fn at(bench: &mut Bench, sheet: &str, name: &str) -> [f64; 2] {
 }
 
 /// Where a place of a sheet is on the screen.
-fn on_screen(bench: &mut Bench, sheet: &str, [x, y]: [f64; 2]) -> [f64; 2] {
+pub fn on_screen(bench: &mut Bench, sheet: &str, [x, y]: [f64; 2]) -> [f64; 2] {
     let place = bench.value(&format!(
         "(() => {{ const e = document.querySelector('#board .over[data-sheet={sheet}]'); const [l, t, s] = JSON.parse(e.dataset.window); \
          const r = e.getBoundingClientRect(); return [r.left + ({x} - l) * s, r.top + ({y} - t) * s]; }})()"

@@ -5,6 +5,7 @@
 mod access;
 mod bench;
 mod board;
+mod board_more;
 mod build;
 mod build_hands;
 mod built;

@@ -9,6 +9,7 @@ import { askedFor, textOf } from "../files/open.ts";
 import { name } from "../layout/say.ts";
 import { called, PLANS, type Sheet } from "../sheets.ts";
 import { language } from "../words.ts";
+import { classList } from "./class.ts";
 import { drawingOf } from "./file.ts";
 import { hands } from "./hands.ts";
 import { judging } from "./judging.ts";
@@ -23,7 +24,8 @@ import { say, type Saying } from "./words.ts";
 
 /** Narrower than this one sheet is shown at a time. */
 const NARROW = "(max-width: 959.9px)";
-const ALL = SHEETS.map(({ key }) => key);
+/** Those that are drawn on: instant centres are not yet. */
+const ALL = SHEETS.map(({ key }) => key).filter((key) => key !== "centers");
 
 /** Shows the board as `app.drawing` says; nothing of it is there before. */
 export function board(app: App): void {
@@ -43,7 +45,7 @@ function builds(app: App): { show(is: boolean): void } {
   const back = (): void => (stages.find(({ sheet }) => sheet === own.alone.value) ?? stages[1])?.over.focus({ preventScroll: true });
   const below = strip(own, back);
   const sheets = element("div", { class: "sheets" }, ...stages.map(({ root }) => root));
-  const drawer = element("div", { class: "drawer" }, list(own, told));
+  const drawer = element("div", { class: "drawer" }, classList(app, own), list(own, told));
   const root = element("section", { id: "board", hidden: true }, worded(element("h1", { class: "unseen" }), () => say("title")), head(app, own, told, drawer), rail(own), sheets, drawer, replay(app, own), below.root);
   worded(root, () => say("title"), "aria-label");
   document.body.append(root);

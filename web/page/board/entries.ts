@@ -1,7 +1,16 @@
 /** What becomes of an entry before it is written. */
 import type { Board } from "../engine/types.ts";
 import { standing, type Entry } from "./file.ts";
-import { slotsOf, type Tool } from "./tools.ts";
+import { AS_IT_COMES, slotsOf, type Tool } from "./tools.ts";
+
+/** Whether a number has a sense: the rate of a link. */
+export const isTurning = (name: unknown, { names }: Pick<Board, "names">): boolean => names.some((known) => known.is_turning && known.name === name);
+
+/** The entry as the file has it: what is chosen of a sense that it does not need, or of the sign that the number has itself, is not said. */
+export function written(entry: Entry, board: Pick<Board, "names">): Entry {
+  const { sense, ...rest } = entry;
+  return sense === undefined || (sense !== AS_IT_COMES && isTurning(entry["compute"], board)) ? entry : rest;
+}
 
 /** The entry with the name that the board gives: to lines always, to what is measured that of its ends. */
 export function named(tool: Tool, entry: Entry, { free, numbers }: Pick<Board, "free" | "numbers">): Entry {

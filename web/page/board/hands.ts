@@ -4,14 +4,25 @@ import { touch, type Press } from "../look/touch.ts";
 import { newest } from "../state/newest.ts";
 import type { Model } from "./model.ts";
 import type { Place, Stage } from "./stage.ts";
+import { lacking } from "./tools.ts";
 import type { Snapped } from "../engine/types.ts";
+import { say } from "./words.ts";
 
 /** How near something must be, in pixels: for a finger, and for a mouse or a pen. */
 const REACH = { touch: 22, pen: 10, mouse: 12 };
 /** A finger that rests so long, in ms, sees what it touches. */
 const HOLD = 280;
 
+/** Points nearer to each other, in pixels, are not told apart by a hand: it is asked which is meant. */
+const CLOSE = 5;
+
 type By = Press["by"];
+
+/** Those that are not apart from the first; of several at the very same place, as images of the ground, one. */
+function together(all: readonly Snapped[], near: number): Snapped[] {
+  const away = (one: Snapped, other: Snapped): number => Math.hypot(one.at[0] - other.at[0], one.at[1] - other.at[1]);
+  return all.filter((one, index) => away(one, all[0]!) < near && all.slice(0, index).every((other) => away(one, other) > 1e-6));
+}
 
 /** What is possible at a place, the nearest first. */
 export async function snaps(app: App, model: Model, stage: Stage, at: Place, reach: number): Promise<Snapped[]> {
@@ -45,9 +56,15 @@ export function hands(app: App, model: Model, stages: readonly Stage[]): void {
   /** A press at a place; one with which a pull begins finishes nothing. */
   const press = (stage: Stage, at: Place, by: By, isBeginning = false): Promise<void> =>
     model.inTurn(async () => {
-      const [snap] = await snaps(app, model, stage, at, near(stage, by));
+      const all = await snaps(app, model, stage, at, near(stage, by));
+      const [snap] = all;
       stage.aim(null);
-      if (snap !== undefined && !(isBeginning && snap.is_whole)) await model.take(snap);
+      if (snap === undefined || (isBeginning && snap.is_whole)) return;
+      const { takes } = lacking(model.tool.value, model.has.value) ?? {};
+      const meant = takes === "point" || takes === "scheme" ? together(all, CLOSE / stage.view.now.value.scale) : [];
+      if (meant.length < 2) return void (await model.take(snap));
+      model.between.set(meant);
+      model.says.set({ text: say("which_of", { count: meant.length }), isBad: false });
     });
 
   /** The sheet under a place of one: what is picked up on the scheme is put down on a plan. */

@@ -48,7 +48,7 @@ export function judging(app: App, model: Model): Judging {
       if (of !== seen()) return;
       verdicts.set(judged);
       const wrong = judged.first_wrong == null ? undefined : judged.entries[judged.first_wrong];
-      if (wrong !== undefined) tell([say("first_wrong", { number: standing(model.drawing().did).indexOf(wrong.index) + 1 }), whyOf(wrong)].join(" "), true);
+      if (wrong !== undefined) tell([say("first_wrong", { number: standing(model.drawing().did).indexOf(wrong.index) + 1 }), whyOf(wrong)].filter(Boolean).join(" – "), true);
       else if (isAsked) tell(judged.is_complete ? say("all_right") : say("right_so_far"));
     } catch (refused) {
       tell(said(refused), true);

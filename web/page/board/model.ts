@@ -7,7 +7,7 @@ import { signal, type Signal } from "../state/signal.ts";
 import type { BoardUse } from "../state/address.ts";
 import { begunWith, useOf } from "./begun.ts";
 import { drawingOf, drawingText, standing, type Drawing, type Entry } from "./file.ts";
-import { named, rubbed } from "./entries.ts";
+import { isTurning, named, rubbed, written } from "./entries.ts";
 import { begun, lacking, type Tool } from "./tools.ts";
 import type { Board, Ghost, Snapped } from "../engine/types.ts";
 import { say } from "./words.ts";
@@ -38,6 +38,10 @@ export interface Model {
   readonly pictured: Signal<string>;
   /** What is said below: why something was refused, or what to do. */
   readonly says: Signal<{ text: string; isBad: boolean }>;
+  /** Whether the entry under way is a rate of which all is said but its sense. */
+  readonly wantsSense: Signal<boolean>;
+  /** Points so near to each other that a press may have meant any of them; empty where none was. */
+  readonly between: Signal<readonly Snapped[]>;
   readonly canUndo: Signal<boolean>;
   readonly canRedo: Signal<boolean>;
   use(): BoardUse;
@@ -71,6 +75,8 @@ export function model(app: App): Model {
   const has = signal<Entry>(begun("lay_off"));
   const says = signal({ text: "", isBad: false });
   const pictured = signal("");
+  const wantsSense = signal(false);
+  const between = signal<readonly Snapped[]>([]);
   const canUndo = signal(false);
   const canRedo = signal(false);
   const until = signal<number | null>(null);
@@ -142,7 +148,13 @@ export function model(app: App): Model {
       says.set({ text: say(`wants_${slot.takes}`), isBad: true });
       return false;
     }
-    const entries = tool.value === "rub" ? rubbed(entry, drawing().did, board) : [entry];
+    // A rate is a size and a sense; who means the sign that comes out says so.
+    if (tool.value === "compute" && isTurning(entry["compute"], board) && entry["sense"] === undefined) {
+      wantsSense.set(true);
+      says.set({ text: say("wants_sense"), isBad: false });
+      return false;
+    }
+    const entries = tool.value === "rub" ? rubbed(entry, drawing().did, board) : [written(entry, board)];
     if (entries === null || !(await put(entries))) return false;
     undone = [];
     canRedo.set(false);
@@ -176,26 +188,36 @@ export function model(app: App): Model {
     pictured,
     shown: signal<Shown | null>(null),
     says,
+    wantsSense,
+    between,
     canUndo,
     canRedo,
     use,
     drawing,
     text,
     choose(next) {
+      wantsSense.set(false);
+      between.set([]);
       tool.set(next);
       has.set(begun(next, has.value));
       own.shown.set(null);
       says.set({ text: say(`how_${next}`), isBad: false });
     },
     fill(entry) {
+      wantsSense.set(false);
+      between.set([]);
       has.set(entry);
       if (says.value.isBad) says.set({ text: "", isBad: false });
     },
     async take(snap) {
       const entry = snap.entry as Entry;
       own.fill(entry);
-      if (!snap.is_whole || known.value === null || lacking(tool.value, named(tool.value, entry, known.value)) !== undefined) return false;
-      return write();
+      if (known.value === null) return false;
+      const next = lacking(tool.value, named(tool.value, entry, known.value));
+      if (snap.is_whole && next === undefined) return write();
+      // What the hand does next.
+      if (next !== undefined) says.set({ text: say(`wants_${next.takes}`), isBad: false });
+      return false;
     },
     write,
     undo,

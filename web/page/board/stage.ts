@@ -128,7 +128,7 @@ export function stage(app: App, model: Model, judging: Judging, sheet: Sheet): S
     const next = model.known.value?.sheets.find((each) => each.sheet === sheet) ?? null;
     root.classList.toggle("missing", next === null);
     if (next === null) return;
-    scale.textContent = next.scale;
+    scale.textContent = [next.scale, next.pole === null ? null : model.known.value?.hand].filter(Boolean).join(" · ");
     if (size === null || size.width !== next.width || size.height !== next.height) view.fit([0, 0, next.width, next.height]);
     size = next;
   }

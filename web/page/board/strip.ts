@@ -3,6 +3,7 @@ import { element } from "../dom/element.ts";
 import { button } from "../dom/worded.ts";
 import { language } from "../words.ts";
 import { chipsOf, choicesOf, type Choice } from "./choices.ts";
+import { isTurning } from "./entries.ts";
 import type { Entry } from "./file.ts";
 import type { Model } from "./model.ts";
 import { lacking, slotsOf, type Slot, type Takes } from "./tools.ts";
@@ -19,6 +20,19 @@ export interface Strip {
   focusWritten(): void;
 }
 
+/** Signs of a formula: those that nearly all need, and the others. */
+const SIGNS = [["/", "÷"], ["^2", "²"]] as const;
+const EQUATION_SIGNS = [[" = ", "="], ["\n", "↵"], ...SIGNS] as const;
+const MORE_SIGNS = [["+", "+"], ["-", "−"], ["(", "("], [")", ")"]] as const;
+
+/** What is taken away at once: a quantity with its sign of multiplication, a square, or a letter. */
+const LAST_PART = /\*?[A-Za-z_]+\([^()]*\)$|\^2$|\*?\w+$|\s*.$/s;
+
+type Box = HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement;
+const isText = (box: Box | undefined): box is HTMLInputElement | HTMLTextAreaElement => box instanceof HTMLInputElement || box instanceof HTMLTextAreaElement;
+/** Up to where a box is written: the place of the keys, or all. */
+const writtenTo = (box: HTMLInputElement | HTMLTextAreaElement): number => (document.activeElement === box ? (box.selectionStart ?? box.value.length) : box.value.length);
+
 /** `back` gives the keys back to the sheets after something was written by keys there. */
 export function strip(model: Model, back: () => void): Strip {
   const form = element("form", { class: "entry-form", id: "board-entry", autocomplete: "off" });
@@ -27,8 +41,10 @@ export function strip(model: Model, back: () => void): Strip {
   const draw = button(() => say("write"), () => undefined, { type: "submit", form: "board-entry", class: "main" });
   const root = element("div", { class: "strip" }, says, form, draw, chips);
   /** The boxes of the present sentence by their blanks. */
-  let boxes = new Map<string, HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement>();
+  let boxes = new Map<string, Box>();
   let shape = "";
+  /** For what the chips were offered last. */
+  let offered = "";
   /** The blank whose box the chips go into. */
   let chosen = "";
   /** Whether keys came from a sheet, and go back to it. */
@@ -49,7 +65,7 @@ export function strip(model: Model, back: () => void): Strip {
     model.fill(needsSheet ? { ...entry, on: onOf(entry) } : entry);
   }
 
-  function boxOf(slot: Slot): HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement {
+  function boxOf(slot: Slot): Box {
     const label = say(`slot_${slot.takes}`);
     const given = { "aria-label": label, title: label, "data-blank": slot.blank };
     if (!WRITTEN.includes(slot.takes)) {
@@ -119,9 +135,13 @@ export function strip(model: Model, back: () => void): Strip {
         if (box.dataset["choices"] !== key) box.replaceChildren(...all.map(([name, shown]) => element("option", { value: name }, shown)));
         box.dataset["choices"] = key;
       }
-      if (box.value !== value && document.activeElement !== box) box.value = value;
+      // A sense is that of a link's rate.
+      if (slot.takes === "sense") box.hidden = !isTurning(entry["compute"], known);
+      // What is written stays as it is written, if it says the same.
+      const isSame = slot.get(slot.set(entry, box.value)) === value;
+      if (!isSame && document.activeElement !== box) box.value = value;
       if (box.value !== value && box instanceof HTMLSelectElement) box.value = value;
-      box.classList.toggle("lacking", lacking(model.tool.value, entry)?.blank === slot.blank);
+      box.classList.toggle("lacking", model.wantsSense.value ? slot.takes === "sense" : lacking(model.tool.value, entry)?.blank === slot.blank);
     }
     // On a narrow screen the sentence is one line, of which what comes next is seen.
     if (form.scrollWidth > form.clientWidth) {
@@ -135,45 +155,81 @@ export function strip(model: Model, back: () => void): Strip {
   function offer(): void {
     const known = model.known.value;
     if (known === null) return;
+    if (model.between.value.length > 0) {
+      chips.setAttribute("aria-label", say("slot_point"));
+      return chips.replaceChildren(...model.between.value.map((snap) => {
+        const label = known.things.find(({ kind, name }) => kind === "point" && name === snap.words)?.label ?? "";
+        return pressed(chipOf(snap.words, label, ""), () => void model.inTurn(() => model.take(snap)));
+      }));
+    }
     const entry = model.has.value;
     const slots = slotsOf(model.tool.value, entry);
     const next = lacking(model.tool.value, entry);
     const last = slots.find(({ blank }) => blank === chosen);
     // What is written in; what comes next, if that is written; else a formula goes on.
     const isIn = last !== undefined && document.activeElement === boxes.get(chosen);
-    const slot = isIn ? last : next !== undefined && WRITTEN.includes(next.takes) ? next : last?.takes === "formula" ? last : undefined;
+    const slot = model.wantsSense.value ? slots.find(({ takes }) => takes === "sense") : isIn ? last : next !== undefined && WRITTEN.includes(next.takes) ? next : last?.takes === "formula" ? last : undefined;
     const all = slot === undefined ? [] : chipsOf(slot.takes, known, entry, onOf(entry));
     if (slot === undefined) return chips.replaceChildren();
     chips.setAttribute("aria-label", say(`slot_${slot.takes}`));
-    chips.replaceChildren(...all.map(({ name, label, value }) => {
-      const chip = element("button", { type: "button", "data-name": name });
-      const shown = element("i");
-      shown.innerHTML = label;
-      chip.append(shown, ...(value === "" ? [] : [element("small", {}, value)]));
-      chip.onpointerdown = (event) => event.preventDefault();
-      chip.onclick = () => chip.isConnected && void pick(slot, name);
-      return chip;
-    }));
+    // What is offered anew is seen from its beginning: the signs after a number, the names of another box.
+    const offers = `${model.tool.value} ${slot.blank} ${slot.get(entry)}`;
+    if (offers !== offered) chips.scrollTo({ left: 0 });
+    offered = offers;
+    const numbers = all.map(({ name, label, value }) => pressed(chipOf(name, label, value), (isFinger) => void pick(slot, name, isFinger)));
+    // A formula is written by presses alone, too.
+    const isFormula = (slot.takes === "formula" || slot.takes === "formulas") && slot.get(entry) !== "";
+    const sign = ([written, shown]: readonly [string, string]): HTMLButtonElement => pressed(element("button", { type: "button", class: "sign", "data-sign": written }, shown), (isFinger) => put(slot, written, isFinger));
+    const back = pressed(element("button", { type: "button", class: "sign", "data-sign": "back", "aria-label": say("sign_back"), title: say("sign_back") }, "⌫"), (isFinger) => put(slot, "", isFinger));
+    const signs = slot.takes === "formulas" ? EQUATION_SIGNS : SIGNS;
+    chips.replaceChildren(...(isFormula ? [...signs.map(sign), ...numbers, ...MORE_SIGNS.map(sign), back] : numbers));
   }
 
-  async function pick(slot: Slot, name: string): Promise<void> {
+  /** `label` is the engine's HTML. */
+  function chipOf(name: string, label: string, value: string): HTMLButtonElement {
+    const chip = element("button", { type: "button", "data-name": name });
+    const shown = element("i");
+    shown.innerHTML = label;
+    chip.append(shown, ...(value === "" ? [] : [element("small", {}, value)]));
+    return chip;
+  }
+
+  /** A button of the chips: what is written in keeps the keys. */
+  function pressed(chip: HTMLButtonElement, act: (isFinger: boolean) => void): HTMLButtonElement {
+    chip.onpointerdown = (event) => event.preventDefault();
+    chip.onclick = (event) => chip.isConnected && act(event.pointerType === "touch");
+    return chip;
+  }
+
+  /** Puts a part of a formula where it is written on, and goes on there by keys; a finger needs none. Nothing takes the last part away. */
+  function put(slot: Slot, part: string, isFinger: boolean): void {
+    const box = boxes.get(slot.blank);
+    if (!isText(box)) return;
+    const at = writtenTo(box);
+    const head = part === "" ? box.value.slice(0, at).replace(LAST_PART, "") : box.value.slice(0, at) + part;
+    const whole = head + box.value.slice(at);
+    chosen = slot.blank;
+    box.value = whole;
+    fill(slot, whole);
+    if (isFinger) return;
+    box.focus();
+    box.setSelectionRange(head.length, head.length);
+  }
+
+  async function pick(slot: Slot, name: string, isFinger: boolean): Promise<void> {
     const box = boxes.get(slot.blank);
     chosen = slot.blank;
     if (slot.takes === "formula" || slot.takes === "formulas" || slot.takes === "names") {
-      const before = slot.get(model.has.value);
-      const at = box instanceof HTMLInputElement && document.activeElement === box ? (box.selectionStart ?? before.length) : before.length;
+      const before = isText(box) ? box.value.slice(0, writtenTo(box)) : "";
       const joint = slot.takes === "names" ? ", " : "*";
       // Two quantities one after the other are multiplied.
-      const link = at > 0 && !/[-+*/^(=,\s]$/.test(before.slice(0, at)) ? joint : "";
-      fill(slot, before.slice(0, at) + link + name + before.slice(at));
-      const next = boxes.get(slot.blank);
-      if (next !== undefined && document.activeElement === next) next.value = slot.get(model.has.value);
-      return;
+      const link = before !== "" && !/[-+*/^(=,\s]$/.test(before) ? joint : "";
+      return put(slot, link + name, isFinger);
     }
     fill(slot, name);
     if (box !== undefined) box.value = name;
     // With its name an entry of the canvas is whole.
-    if (lacking(model.tool.value, model.has.value) === undefined && slot.takes === "point_name") await write();
+    if (lacking(model.tool.value, model.has.value) === undefined && (slot.takes === "point_name" || slot.takes === "sense")) await write();
   }
 
   async function write(): Promise<void> {
@@ -218,8 +274,8 @@ export function strip(model: Model, back: () => void): Strip {
       const next = lacking(model.tool.value, model.has.value);
       const box = next === undefined ? draw : boxes.get(next.blank);
       offer();
-      // A name is chosen from what is offered.
-      const chip = next?.takes === "point_name" ? chips.querySelector("button") : null;
+      // A name or a sense is chosen from what is offered.
+      const chip = next?.takes === "point_name" || model.wantsSense.value ? chips.querySelector("button") : null;
       (chip ?? box)?.focus();
     },
   };
@@ -227,6 +283,8 @@ export function strip(model: Model, back: () => void): Strip {
     says.textContent = text;
     says.classList.toggle("bad", isBad);
   });
+  model.wantsSense.on(show);
+  model.between.on(show);
   model.has.on(show);
   model.tool.on(show);
   model.known.on(show);

@@ -61,6 +61,9 @@ function listed(name: string, takes: Takes, sign: string): Slot {
   };
 }
 
+/** The sense of a rate that has its own sign: it is chosen, and the entry says none. */
+export const AS_IT_COMES = "as_it_comes";
+
 export const HOWS = ["normal", "parallel", "turned", "angle"] as const;
 type How = (typeof HOWS)[number];
 

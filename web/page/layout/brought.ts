@@ -1,4 +1,5 @@
 import type { App } from "../app.ts";
+import type { HandedIn } from "../board/class.ts";
 import { drawingOf } from "../board/file.ts";
 import { takesText } from "../dom/find.ts";
 import { textOf } from "../files/open.ts";
@@ -58,6 +59,66 @@ export async function openFile(app: App, file: File | null): Promise<void> {
   if (read !== null) take(app, read.name, read.text);
 }
 
+/** Something dropped: a file, or a folder with what is in it. Browsers read folders in two ways, of which the older fails on pages that are files. */
+interface Brought {
+  handle: Promise<FileSystemHandle | null> | undefined;
+  entry: FileSystemEntry | null;
+  file: File | null;
+}
+
+/** What is dropped, taken while it can be had. */
+function broughtBy(items: DataTransferItemList): Brought[] {
+  return [...items].filter(({ kind }) => kind === "file").map((item) => ({
+    handle: (item as DataTransferItem & { getAsFileSystemHandle?(): Promise<FileSystemHandle | null> }).getAsFileSystemHandle?.(),
+    entry: item.webkitGetAsEntry(),
+    file: item.getAsFile(),
+  }));
+}
+
+async function inFolder(folder: FileSystemDirectoryHandle): Promise<File[]> {
+  const found: File[] = [];
+  for await (const each of (folder as FileSystemDirectoryHandle & { values(): AsyncIterable<FileSystemHandle> }).values()) {
+    found.push(...(each.kind === "file" ? [await (each as FileSystemFileHandle).getFile()] : await inFolder(each as FileSystemDirectoryHandle)));
+  }
+  return found;
+}
+
+async function inEntry(entry: FileSystemEntry): Promise<File[]> {
+  if (entry.isFile) return [await new Promise<File>((done, failed) => (entry as FileSystemFileEntry).file(done, failed))];
+  const reader = (entry as FileSystemDirectoryEntry).createReader();
+  const found: File[] = [];
+  // A folder is read in parts.
+  for (let part: FileSystemEntry[]; (part = await new Promise<FileSystemEntry[]>((done, failed) => reader.readEntries(done, failed))).length > 0; ) {
+    for (const each of part) found.push(...(await inEntry(each)));
+  }
+  return found;
+}
+
+/** The files of what is dropped, also of folders and those in them. */
+async function filesOf(all: readonly Brought[]): Promise<File[]> {
+  const found: File[] = [];
+  for (const { handle, entry, file } of all) {
+    const isFolder = entry?.isDirectory === true;
+    const known = isFolder ? await handle?.catch(() => null) : null;
+    if (known != null) found.push(...(await inFolder(known as FileSystemDirectoryHandle)));
+    else if (isFolder) found.push(...(await inEntry(entry)));
+    else if (file !== null) found.push(file);
+  }
+  return found;
+}
+
+/** Takes the drawings of a class; of other files the first is opened. */
+async function takeAll(app: App, files: readonly File[]): Promise<void> {
+  const drawings: HandedIn[] = [];
+  for (const file of files.toSorted((a, b) => a.name.localeCompare(b.name))) {
+    const text = /\.json$/i.test(file.name) ? await textOf(file) : null;
+    if (text !== null && drawingOf(text) !== null) drawings.push({ name: file.name, text });
+  }
+  if (drawings.length === 0) return openFile(app, files[0] ?? null);
+  app.handed.set(drawings);
+  app.drawing.set(true);
+}
+
 /** What is dropped on the page, or pasted outside of a box of text, is opened. */
 export function dropped(app: App): void {
   const isFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
@@ -70,11 +131,15 @@ export function dropped(app: App): void {
   // Before the editor, which would put the file's text into its own.
   document.addEventListener("drop", (event) => {
     document.body.classList.remove("dropping");
-    const file = event.dataTransfer?.files[0];
+    const { files, items } = event.dataTransfer ?? {};
+    const file = files?.[0];
     if (file === undefined) return;
     event.preventDefault();
     event.stopPropagation();
-    void openFile(app, file);
+    const all = items === undefined ? [] : broughtBy(items);
+    // A student's page judges the own drawing alone.
+    const isClass = !app.student.value && (all.length > 1 || all[0]?.entry?.isDirectory === true);
+    void (isClass ? filesOf(all).then((files) => takeAll(app, files)).catch(() => notice(say("unread_file", { name: file.name }))) : openFile(app, file));
   }, { capture: true });
   document.addEventListener("paste", (event) => {
     if (event.defaultPrevented || takesText(event.target)) return;
