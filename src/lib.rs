@@ -48,6 +48,7 @@ pub mod cycle;
 pub mod drawing;
 pub mod editing;
 pub mod exercise;
+pub mod forces;
 pub mod format;
 pub mod geometry;
 #[doc(hidden)] // the workings of `mechanism`, `position` and `cycle`

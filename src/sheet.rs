@@ -13,7 +13,8 @@ use std::ops::{Index, IndexMut};
 
 /// A sheet of the construction, and the panel of the figure that shows it; each has its own scale.
 ///
-/// Sheets are ordered as they are drawn, and each needs those before it.
+/// Sheets are ordered as they are drawn. A plan needs the scheme, and that of accelerations the one of velocities; the centres need
+/// none of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "Panel", description = "A part of the figure.")]
 #[serde(rename_all = "lowercase")]
@@ -25,6 +26,8 @@ pub enum Sheet {
     Velocity,
     /// The acceleration plan.
     Acceleration,
+    /// The mechanism once more, with the lines that lead to its instant centres: at a scale of its own, as centres may be far.
+    Centers,
 }
 
 /// The order of a derivative of the position by time. Each has a plan, which is drawn from a pole, and needs those before
@@ -56,6 +59,10 @@ pub enum QuantityKind {
     Velocity,
     /// An acceleration, or a segment of the acceleration plan.
     Acceleration,
+    /// A force.
+    Force,
+    /// A torque or a couple.
+    Moment,
 }
 
 /// What there is to say of a sheet.
@@ -78,14 +85,14 @@ pub struct SheetFacts {
     pub scale_symbol: &'static str,
     /// What a millimetre of its paper stands for, in descriptions, as `units of velocity`.
     pub scaled_units: &'static str,
-    /// How names of distances on it begin: `vplan` for segments of the velocity plan, `L` for lengths of the scheme.
+    /// How names of distances on it begin: `vplan` for segments of the velocity plan, `L` for lengths of the mechanism.
     pub segment: &'static str,
     /// Of what it is a plan: of velocities or of accelerations; none of the scheme.
     order: Option<Order>,
 }
 
 /// The sheets in the order of their variants, which is that in which they are drawn.
-const FACTS: [SheetFacts; 3] = [
+const FACTS: [SheetFacts; 4] = [
     SheetFacts {
         sheet: Sheet::Scheme,
         word: "scheme",
@@ -122,6 +129,18 @@ const FACTS: [SheetFacts; 3] = [
         segment: "aplan",
         order: Some(Order::Acceleration),
     },
+    SheetFacts {
+        sheet: Sheet::Centers,
+        word: "centers",
+        name: "figure of instant centres",
+        letter: 'C',
+        drawn: QuantityKind::Length,
+        scale_key: "mu_c",
+        scale_symbol: "μ_c",
+        scaled_units: "units of length",
+        segment: "L",
+        order: None,
+    },
 ];
 
 impl Sheet {
@@ -136,6 +155,9 @@ impl Sheet {
         all
     };
 
+    /// The sheets that a figure has unless its scene says otherwise: the mechanism and its plans.
+    pub const USUAL: [Sheet; 3] = [Sheet::Scheme, Sheet::Velocity, Sheet::Acceleration];
+
     /// What there is to say of it.
     #[must_use]
     pub fn facts(self) -> &'static SheetFacts {
@@ -144,6 +166,7 @@ impl Sheet {
             Sheet::Scheme => &FACTS[0],
             Sheet::Velocity => &FACTS[1],
             Sheet::Acceleration => &FACTS[2],
+            Sheet::Centers => &FACTS[3],
         }
     }
 

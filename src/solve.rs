@@ -53,5 +53,5 @@ pub fn order_of_result(scene: &Scene) -> Order {
 #[must_use]
 pub fn order_of_figure(scene: &Scene) -> Order {
     let shows_accelerations = scene.figure.shown_panels().contains(&Sheet::Acceleration);
-    if shows_accelerations { Order::Acceleration } else { Order::Velocity }
+    if shows_accelerations || !scene.figure.inflection.is_empty() { Order::Acceleration } else { Order::Velocity }
 }

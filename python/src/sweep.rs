@@ -40,9 +40,9 @@ pub fn table_of(scene: &Scene, mechanism: &Mechanism, pose: &Pose, wanted: &Want
     })
 }
 
-/// A quantity's name and unit, and where on the way of the drive it is least and greatest: the drive's value and its own; none where it
-/// grows without bound.
-pub type Extremes = (String, String, Option<[f64; 2]>, Option<[f64; 2]>);
+/// A quantity's name and unit, and where on the way of the drive it is least and greatest: the drive's value and its own, and how far
+/// each can be from that; none where it grows without bound.
+pub type Extremes = (String, String, Option<[f64; 4]>, Option<[f64; 4]>);
 
 /// The extremes of a mechanism that starts in a pose, and that a part of the range cannot be reached.
 pub fn extremes_of(
@@ -59,9 +59,8 @@ pub fn extremes_of(
         let curves = on_all_cores(|| Curves::new(path, range, names))?;
         let curves = curves.map_err(|error| scene.refused(Error::from(error)))?;
         let extremes = curves.curves.iter().flat_map(|curve| {
-            let constant = curve.constant.map(|value| [curves.range[0], value]);
-            let found = |greatest| curve.extremes.iter().find(|e| e.greatest == greatest).map(|e| [e.at, e.value]);
-            let [least, greatest] = [false, true].map(|greatest| constant.or_else(|| found(greatest)));
+            let certain = curves.certain_extremes(&scene.scene, curve);
+            let [least, greatest] = certain.map(|found| found.map(|e| [e.at, e.value, e.within, e.error]));
             let unit = curve.kind().unit(scene.scene.units);
             curve.asked.iter().map(move |asked| (asked.name().to_owned(), unit.clone(), least, greatest))
         });

@@ -95,6 +95,8 @@ def test_extremes():
     at = numpy.degrees(numpy.arccos((BASE**2 + (COUPLER + CRANK) ** 2 - ROCKER**2) / (2 * BASE * (COUPLER + CRANK))))
     assert swing.min_at == pytest.approx(at, abs=1e-5)
     assert (found["omega(1)"].min, found["omega(1)"].max) == (OMEGA, OMEGA)
+    assert abs(swing.min - (180 - rocker(COUPLER + CRANK))) <= swing.min_error + 1e-13 and swing.min_error < 1e-9
+    assert abs(swing.min_at - at) <= swing.min_at_error + 1e-13
 
 
 def test_what_grows_without_bound_has_no_extreme():

@@ -1,6 +1,8 @@
-use super::enclosure::Enclosure;
+use super::enclosure::{Enclosure, Loaded};
+use super::given::Room;
 use super::says;
 use crate::construction::{Construction, Special, Values};
+use crate::forces::{Forces, forces};
 use crate::geometry::{Ball, Pair, Point, UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::mechanism::{BodyId, Group, Mechanism, PointId, Role, SliderId};
 use crate::message::Message;
@@ -26,10 +28,12 @@ pub struct Bounds<'a> {
     mechanism: &'a Mechanism,
     pose: &'a Pose,
     motion: &'a Motion,
-    enclosure: Option<Enclosure>,
+    pub(super) enclosure: Option<Enclosure>,
     pub(super) construction: Option<&'a Construction>,
     /// The construction carried out within the enclosure, once it is asked for.
     pub(super) plans: OnceCell<Option<Values<Ball>>>,
+    /// The forces within the enclosure, once they are asked for.
+    forces: OnceCell<Option<Forces>>,
 }
 
 /// Bounds of the errors of `pose` and `motion`, which belong to `mechanism`, which was made from `scene`.
@@ -37,8 +41,28 @@ pub struct Bounds<'a> {
 /// The mechanism's drives may have been given other positions and rates since: these then count as given.
 #[must_use]
 pub fn bounds<'a>(scene: &'a Scene, mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Bounds<'a> {
-    let enclosure = Enclosure::new(scene, mechanism, pose, motion.order);
-    Bounds { scene, mechanism, pose, motion, enclosure, construction: None, plans: OnceCell::new() }
+    bounds_within(scene, mechanism, pose, motion, Room::default())
+}
+
+/// The same where drives may stand anywhere within `room` of their values.
+pub(crate) fn bounds_within<'a>(
+    scene: &'a Scene,
+    mechanism: &'a Mechanism,
+    pose: &'a Pose,
+    motion: &'a Motion,
+    room: Room,
+) -> Bounds<'a> {
+    let enclosure = Enclosure::new(scene, mechanism, pose, motion.order, room);
+    Bounds {
+        scene,
+        mechanism,
+        pose,
+        motion,
+        enclosure,
+        construction: None,
+        plans: OnceCell::new(),
+        forces: OnceCell::new(),
+    }
 }
 
 impl<'a> Bounds<'a> {
@@ -48,8 +72,37 @@ impl<'a> Bounds<'a> {
         Bounds { construction: Some(construction), plans: OnceCell::new(), ..self }
     }
 
+    /// The forces within the enclosure; `None` without loads or an enclosure, or where the equations of a group may be singular.
+    pub(crate) fn forces(&self) -> Option<&Forces> {
+        let enclosed = || {
+            let enclosure = self.enclosure.as_ref().filter(|_| self.mechanism.loads.is_some())?;
+            let posed = Loaded::new(self.scene, self.mechanism, enclosure);
+            forces(self.mechanism, &posed)
+        };
+        self.forces.get_or_init(enclosed).as_ref()
+    }
+
+    /// Bound of the error of a number that is read from forces, and from the directions of guides.
+    pub(crate) fn of_force(
+        &self,
+        value: f64,
+        read: impl Fn(&Forces, &dyn Fn(SliderId) -> Pair<Ball>) -> Option<Ball>,
+    ) -> f64 {
+        let of = |e: &Enclosure| read(self.forces()?, &|slider| e.guide(slider));
+        self.from(of, |ball| self.of_number(ball, value))
+    }
+
+    /// The same of a vector: of each component.
+    pub(crate) fn of_force_vector(&self, value: Vector, read: impl Fn(&Forces) -> Option<Pair<Ball>>) -> f64 {
+        self.from(|_| read(self.forces()?), |ball| self.of_vector(ball, value))
+    }
+
     pub(super) fn snapshot(&self) -> Snapshot<'_> {
         Snapshot { pose: self.pose, motion: self.motion }
+    }
+
+    pub(super) fn enclosure(&self) -> Option<&Enclosure> {
+        self.enclosure.as_ref()
     }
 
     /// The plans within the enclosure; `None` without them, or without an enclosure.

@@ -1,10 +1,12 @@
-use super::given::{Given, Vector};
+use super::given::{Given, Room, Vector};
+use super::locals::Locals;
 use super::placed::TruePlaces;
 use super::places::PlacesOf;
 use crate::construction::{Course, CutLine, Rate, Special, Truth};
+use crate::forces::Posed;
 use crate::geometry::{Ball, Pair};
 use crate::mechanism::{BodyId, Group, Mechanism, PointId, SliderId};
-use crate::motion::{State, bounded_motion};
+use crate::motion::{Places, State, bounded_motion};
 use crate::position::Pose;
 use crate::scene::Scene;
 use crate::sheet::Order;
@@ -19,13 +21,14 @@ pub(super) struct Enclosure {
 
 impl Enclosure {
     /// The true position and motion near `pose`, which belongs to `mechanism`, which was made from `scene`; its drives
-    /// may have been given other positions and rates since.
+    /// may have been given other positions and rates since, and stand anywhere within `room` of these.
     ///
     /// Bounds are infinite where nothing is proved: that there is one assembly near the pose and no other, or that its
     /// equations are regular; or numbers leave the range of f64. `None` where a drive has no position.
-    pub fn new(scene: &Scene, mechanism: &Mechanism, pose: &Pose, order: Order) -> Option<Enclosure> {
-        let placed = TruePlaces::new(&Given { scene, mechanism: mechanism.for_positions() }, pose)?;
-        let places = PlacesOf { given: Given { scene, mechanism }, points: &placed.points, guides: &placed.guides };
+    pub fn new(scene: &Scene, mechanism: &Mechanism, pose: &Pose, order: Order, room: Room) -> Option<Enclosure> {
+        let placed = TruePlaces::new(&Given { scene, mechanism: mechanism.for_positions(), room }, pose)?;
+        let places =
+            PlacesOf { given: Given { scene, mechanism, room }, points: &placed.points, guides: &placed.guides };
         let state = bounded_motion(mechanism, &places, order);
         Some(Enclosure { state, placed })
     }
@@ -112,6 +115,63 @@ impl Enclosure {
                 mechanism.slider_ids().find(of_body).map(|id| self.guide(id))
             }
         }
+    }
+}
+
+/// The true position and motion with what the scene gives, for forces.
+pub(super) struct Loaded<'a> {
+    pub places: PlacesOf<'a>,
+    pub enclosure: &'a Enclosure,
+    locals: Locals<'a>,
+}
+
+impl<'a> Loaded<'a> {
+    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, enclosure: &'a Enclosure) -> Loaded<'a> {
+        // Where drives stand is in the enclosure.
+        let given = Given { scene, mechanism, room: Room::default() };
+        let TruePlaces { points, guides, .. } = &enclosure.placed;
+        Loaded { places: PlacesOf { given, points, guides }, enclosure, locals: Locals::new(given) }
+    }
+}
+
+impl Places for Loaded<'_> {
+    fn place(&self, point: PointId) -> Vector {
+        self.places.place(point)
+    }
+
+    fn arm(&self, from: PointId, to: PointId) -> Vector {
+        self.places.arm(from, to)
+    }
+
+    fn guide(&self, slider: SliderId) -> Vector {
+        Places::guide(&self.places, slider)
+    }
+
+    fn given(&self, number: f64) -> Ball {
+        self.places.given(number)
+    }
+
+    fn omega(&self, body: BodyId, omega: f64) -> Ball {
+        self.places.omega(body, omega)
+    }
+}
+
+impl Posed for Loaded<'_> {
+    fn axis(&self, body: BodyId) -> Vector {
+        self.enclosure.placed.turns[body.0].unwrap_or_default()
+    }
+
+    fn local(&self, body: BodyId, point: PointId) -> Vector {
+        self.locals.place(body, point).unwrap_or_default()
+    }
+
+    fn acceleration(&self, body: BodyId, place: Vector) -> Vector {
+        let [_, acceleration] = self.enclosure.motion_at(body, place);
+        acceleration
+    }
+
+    fn alpha(&self, body: BodyId) -> Ball {
+        self.enclosure.state.body(body).alpha
     }
 }
 

@@ -12,6 +12,17 @@ pub(super) type Vector = Pair<Ball>;
 pub(super) struct Given<'a> {
     pub scene: &'a Scene,
     pub mechanism: &'a Mechanism,
+    /// How far drives may stand from their values.
+    pub room: Room,
+}
+
+/// How far drives may stand from their values, to either side: nowhere else by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Room {
+    /// Of links that are turned, in degrees.
+    pub turned: f64,
+    /// Of sliders that are pushed.
+    pub pushed: f64,
 }
 
 impl Given<'_> {
@@ -33,6 +44,16 @@ impl Given<'_> {
             .iter()
             .map(|place| place.map_or_else(Vector::default, |place| self.vector(place)))
             .collect()
+    }
+
+    /// Cosine and sine of the angles, in degrees, that a drive may have.
+    pub fn driven_direction(&self, degrees: f64) -> Vector {
+        Pair::direction_of_degrees(self.number(degrees).widened(self.room.turned))
+    }
+
+    /// The positions that a pushed slider may have.
+    pub fn driven_slide(&self, position: f64) -> Ball {
+        self.number(position).widened(self.room.pushed)
     }
 
     /// Cosine and sine of an angle of the scene, in degrees.

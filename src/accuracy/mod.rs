@@ -19,8 +19,13 @@ mod given;
 mod locals;
 mod placed;
 mod places;
+mod poles;
 mod quantities;
 #[doc(hidden)] // for tests
 pub mod says;
+mod true_number;
 
+pub(crate) use bounds::bounds_within;
 pub use bounds::{Bounds, bounds};
+pub(crate) use given::Room;
+pub(crate) use true_number::TrueNumber;

@@ -100,7 +100,7 @@ impl<'a> Finder<'a> {
         let slide = |id: SliderId| {
             let position = mechanism.slider(id).drive.and_then(|drive| drive.position);
             let found = || pose.slides.get(id.0).copied().flatten().unwrap_or(0.0).into();
-            position.map_or_else(found, |position| given.number(position))
+            position.map_or_else(found, |position| given.driven_slide(position))
         };
         let points = given.places();
         let lines: Vec<[Vector; 2]> = mechanism.slider_ids().map(line).collect();
@@ -128,7 +128,7 @@ impl<'a> Finder<'a> {
             let frame = match mechanism.body(id).role {
                 Role::Ground => Frame::identity(),
                 Role::Driver { pivot, angle, .. } => {
-                    let turn = self.given.direction(angle?);
+                    let turn = self.given.driven_direction(angle?);
                     Frame::pinned(turn, self.local(id, pivot)?, self.given.vector(mechanism.given[pivot.0]?))
                 }
                 _ => continue,

@@ -6,11 +6,11 @@ use super::given::Vector;
 use crate::construction::{Rate, image_name, normal_name};
 use crate::geometry::{Ball, Number};
 use crate::mechanism::BodyId;
-use crate::quantity::{AccelerationPart, Component, Quantity, QuantityRequest, Spot, What};
+use crate::quantity::{AccelerationPart, Component, ForceRead, Quantity, QuantityRequest, Spot, What};
 use crate::sheet::{Order, Scales};
 
 /// The true value of a quantity, with its bound.
-enum TrueValue {
+pub(super) enum TrueValue {
     Number(Ball),
     Vector(Vector),
 }
@@ -34,6 +34,8 @@ impl Bounds<'_> {
         let of = |e: &Enclosure| self.true_value(e, asked);
         let Ok(value) = asked.value(&self.snapshot(), self.construction, scales) else { return f64::INFINITY };
         match (value, asked.written.component) {
+            // The direction of a centre at infinity: `center` has it.
+            (_, Some(Component::Angle)) if asked.is_place() => f64::INFINITY,
             (Quantity::Number(value), Some(Component::Angle)) => self.from(of, |truth| match truth {
                 TrueValue::Vector(truth) => truth.degrees_from(value) + of_printing(value),
                 TrueValue::Number(_) => f64::INFINITY,
@@ -61,7 +63,7 @@ impl Bounds<'_> {
     }
 
     /// The true value, of a vector's component the whole vector; `None` where it cannot be had.
-    fn true_value(&self, e: &Enclosure, asked: &QuantityRequest) -> Option<TrueValue> {
+    pub(super) fn true_value(&self, e: &Enclosure, asked: &QuantityRequest) -> Option<TrueValue> {
         Some(match &asked.what {
             What::Coriolis(slider, on) => TrueValue::Vector(e.coriolis(*slider, *on)),
             What::Coordinate(axis, spot) => {
@@ -69,7 +71,11 @@ impl Bounds<'_> {
                 TrueValue::Number([place.x, place.y][*axis])
             }
             What::Length(a, b) => {
-                let arm = self.true_place(e, b)?.1 - self.true_place(e, a)?.1;
+                let place = |spot: &Spot| match spot {
+                    Spot::Pole(pole) => e.pole(pole),
+                    _ => self.true_place(e, spot).map(|(_, place)| place),
+                };
+                let arm = place(b)? - place(a)?;
                 TrueValue::Number(arm.dot(arm).sqrt())
             }
             What::Motion(order, a, b) => {
@@ -84,6 +90,16 @@ impl Bounds<'_> {
             }
             What::Part(part, a, b, link) => TrueValue::Vector(self.true_part(e, *part, [a, b], *link)?),
             What::Segment(order, [from, to]) => TrueValue::Vector(self.true_segment(*order, [from, to])?),
+            What::Pole(pole) => TrueValue::Vector(e.pole(pole)?),
+            What::InflectionDiameter(pole) => TrueValue::Number(e.diameter(pole)),
+            What::PathRadius(spot) => {
+                let (body, place) = self.true_place(e, spot)?;
+                TrueValue::Number(e.path_radius(body, place))
+            }
+            What::Force(of, mechanism) => match of.read(mechanism, self.forces()?, |slider| e.guide(slider))? {
+                ForceRead::Number(number) => TrueValue::Number(number),
+                ForceRead::Vector(vector) => TrueValue::Vector(vector),
+            },
             What::Rate(_) | What::Angle(_) | What::SlidePosition(_) => return None,
         })
     }
@@ -96,6 +112,7 @@ impl Bounds<'_> {
                 let special = self.construction?.special_point(name)?;
                 Some((special.link, e.special(special)?))
             }
+            Spot::Pole(_) => None,
         }
     }
 

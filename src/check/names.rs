@@ -171,6 +171,7 @@ impl<'a> Names<'a> {
         let in_steps = self.in_steps(name);
         let name = in_steps.as_deref().unwrap_or(name);
         let mut asked = QuantityRequest::new(name, &solution.mechanism).map_err(wrong)?;
+        asked.check_size().map_err(wrong)?;
         if asked.is_vector() {
             asked = QuantityRequest::new(&format!("{name}.size"), &solution.mechanism).map_err(wrong)?;
         }

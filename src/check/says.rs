@@ -47,6 +47,8 @@ messages! { "check":
     length;
     velocity;
     acceleration;
+    force;
+    moment;
 
     // Tables.
     no_table(error);

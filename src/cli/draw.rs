@@ -88,7 +88,7 @@ pub(super) struct Draw {
     // A page was once a film of so many positions of one drive; it now moves all drives to any position.
     #[arg(long, value_name = "N", hide = true)]
     positions: Option<String>,
-    /// Write the sheets of steps, a film's pictures or pixels even if they are very many.
+    /// Write the sheets of steps, a film's pictures, points or pixels even if they are very many.
     #[arg(long)]
     yes: bool,
     #[command(flatten)]
@@ -132,6 +132,7 @@ impl Draw {
             self.check_traced(&solution.scene)?;
             #[cfg(feature = "png")]
             self.refuse_large(&solution.scene.figure)?;
+            self.refuse_crowded(solution.mechanism.points.len())?;
             let traces = source.checked(Traces::new(&solution, None))?;
             let figure = &solution.scene.figure;
             if !figure.beyond_limits && traces.times.as_ref().is_some_and(|times| times.is_stopped) {
@@ -360,6 +361,20 @@ impl Draw {
         )
     }
 
+    /// Refuses a figure with very many points, before it is drawn.
+    fn refuse_crowded(&self, points: usize) -> Result<(), Failure> {
+        let has_png = self.figures.has_png();
+        if self.yes || points <= if has_png { MOST_PAINTED_POINTS } else { MOST_POINTS } {
+            return Ok(());
+        }
+        let without = if has_png { "SVG or PDF take less; " } else { "" };
+        let as_png = if has_png { ", also as PNG," } else { "" };
+        refuse(
+            format!("a figure with {points} points{as_png} takes more than 2 s and 200 MB of memory"),
+            format!("draw fewer points, few of which have room for their names; {without}with --yes it is drawn"),
+        )
+    }
+
     /// Refuses a picture of very many pixels, before it is drawn.
     #[cfg(feature = "png")]
     fn refuse_large(&self, figure: &Figure) -> Result<(), Failure> {
@@ -388,6 +403,9 @@ fn values() -> impl TypedValueParser<Value = ValuesShown> {
 /// Most sheets of steps, and most marks on all of them, that are written without asking: each takes milliseconds, and marks
 /// grow with the square of the steps.
 const MOST_SHEETS: usize = 400;
+/// Most points of a figure that is drawn without being asked about; and of one that is painted, too.
+const MOST_POINTS: usize = 6_500;
+const MOST_PAINTED_POINTS: usize = 4_000;
 const MOST_MARKS: usize = 400_000;
 /// As many where they are painted in pixels, which takes several times as long.
 const MOST_PAINTED: usize = 80_000;

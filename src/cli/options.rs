@@ -2,7 +2,8 @@
 
 use crate::construction::Tolerance;
 use crate::scene::{
-    CoriolisName, DecimalMark, Figure, FrameName, LanguageName, NotationName, Page, ScalesFor, SlidingName, TurnedName,
+    CenterName, CoriolisName, DecimalMark, Figure, FrameName, LanguageName, NotationName, Page, ScalesFor, SlidingName,
+    TurnedName,
 };
 use crate::sheet::{PerSheet, Scales, Sheet};
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
@@ -21,6 +22,9 @@ pub(super) struct Words {
     /// Index of Coriolis accelerations, in place of that of the notation.
     #[arg(long, value_parser = one_of(&CoriolisName::ALL, CoriolisName::as_str))]
     coriolis: Option<CoriolisName>,
+    /// Letter of instant centres: P_13, I_13 or CIR_13.
+    #[arg(long, value_name = "LETTER", value_parser = one_of(&CenterName::ALL, CenterName::as_str))]
+    center_letter: Option<CenterName>,
     /// Number that the frame is called by, in place of a word.
     #[arg(long, value_parser = one_of(&FrameName::ALL, FrameName::as_str))]
     frame: Option<FrameName>,
@@ -41,6 +45,7 @@ impl Words {
         figure.notation = self.notation.unwrap_or(figure.notation);
         figure.sliding = self.sliding.unwrap_or(figure.sliding);
         figure.coriolis = self.coriolis.or(figure.coriolis);
+        figure.center_letter = self.center_letter.unwrap_or(figure.center_letter);
         figure.frame = self.frame.or(figure.frame);
         figure.turned = self.turned.or(figure.turned);
         figure.language = self.language.unwrap_or(figure.language);

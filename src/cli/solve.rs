@@ -130,7 +130,9 @@ fn readable_quantities(solution: &Solution) -> Result<Vec<QuantityRequest>, Erro
     let mut names: IndexSet<String> = readable_names(solution).into_iter().collect();
     for name in solution.scene.want.iter().flatten() {
         let asked = QuantityRequest::new(name, &solution.mechanism)?;
-        if asked.is_vector() {
+        if asked.is_place() {
+            names.extend(["x", "y"].map(|part| format!("{name}.{part}")));
+        } else if asked.is_vector() {
             names.extend(["size", "angle"].map(|part| format!("{name}.{part}")));
         } else {
             names.insert(name.clone());

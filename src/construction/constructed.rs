@@ -1,4 +1,5 @@
 use super::cut::{Special, SpecialId};
+use super::kennedy::{Center, CenterId, Centers};
 use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{Along, LineId, Operation, PlaceId, StepId};
 use super::run::{Disturbance, Values};
@@ -23,6 +24,8 @@ pub struct Construction {
     pub steps: PerSheet<Vec<Action>>,
     /// The plans; one that was not asked for has no points.
     pub plans: [Plan; 2],
+    /// The instant centres that the figure asks for, and how they are found.
+    pub centers: Option<Box<Centers>>,
     /// How the velocity plan is turned by 90°, where it is.
     pub turned: Option<TurnedName>,
     /// The operations of ruler, pencil and calculator, each after those whose results it uses.
@@ -77,6 +80,7 @@ impl Construction {
             agreement: Vec::new(),
             steps: PerSheet::default(),
             plans: Order::ALL.map(Plan::new),
+            centers: None,
             turned: None,
             operations: Vec::new(),
             origin,
@@ -195,6 +199,7 @@ impl Construction {
             }
             NumberKind::Segment(order, [from, to]) => order.sheet().segment_name(from, to),
             NumberKind::Rate(rate) => rate.name(mechanism),
+            NumberKind::RateByCenters(link) => Rate::Angular(Order::Velocity, *link).name(mechanism),
             NumberKind::Reading(name) => name.clone(),
             NumberKind::Size => String::new(),
         }
@@ -205,7 +210,14 @@ impl Construction {
         match end {
             End::Joint(point) => mechanism.point_name(point),
             End::Special(id) => &self.special(id).name,
+            End::Center(id) => self.center(id).map_or("", |center| &center.name),
         }
+    }
+
+    /// An instant centre.
+    #[must_use]
+    pub fn center(&self, id: CenterId) -> Option<&Center> {
+        self.centers.as_ref()?.all.get(id.0)
     }
 
     /// All steps, numbered from 1 through the sheets.
@@ -281,8 +293,8 @@ pub(super) struct Record {
     pub makers: [Vec<usize>; 3],
     /// By place: its names, as indices of [`Construction::places`](super::Construction).
     pub names: Vec<Vec<usize>>,
-    /// The guides on the scheme.
-    pub guides: IndexMap<SliderId, LineId>,
+    /// The guides, by the sheet on which they are drawn.
+    pub guides: IndexMap<(Sheet, SliderId), LineId>,
     /// The lines through two places, from the first towards the second.
     pub joins: IndexMap<[PlaceId; 2], LineId>,
     /// The distances of joints.

@@ -64,6 +64,7 @@ impl Construction {
     fn taken(&self, number: NumberId, truth: &impl Truth) -> Ball {
         match &self.numbers[number.0] {
             NumberKind::Rate(rate) => truth.rate(*rate),
+            NumberKind::RateByCenters(link) => truth.rate(Rate::Angular(Order::Velocity, *link)),
             NumberKind::Length([End::Joint(a), End::Joint(b)]) => {
                 let arm = truth.place(*b) - truth.place(*a);
                 arm.dot(arm).sqrt()

@@ -165,7 +165,8 @@ impl Writer<'_> {
         let mut rates = vec![Rate::Angular(order, GROUND); equations.unknowns];
         named.iter().for_each(|&(index, rate)| rates[index] = rate);
         let step = self.begin(order);
-        let numbers = self.solve(order, &rates, rows)?;
+        let kinds = rates.iter().copied().map(NumberKind::Rate).collect();
+        let numbers = self.solve(order, kinds, rows)?;
         // Rates that follow from relations between angles alone are computed without a step.
         if !written.is_empty() {
             let solved = |&(_, rate): &(usize, Rate)| (rate.name(self.mechanism), self.computed_rate(rate)[0]);

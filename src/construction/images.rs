@@ -8,7 +8,7 @@ use super::step::{Action, Arrow, PointRole, Ray, RayOf, Relation, VectorOf, Vect
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, cross};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, Leg, Mechanism, PointId, SliderId};
-use crate::sheet::Order;
+use crate::sheet::{Order, Sheet};
 
 /// Least sine of the angle at a point between its arms to two others, for its image to be crossed by two rays.
 const LEAST_SINE: f64 = 0.3;
@@ -173,7 +173,7 @@ impl Writer<'_> {
     ) -> Option<PlaceId> {
         let base = {
             let [from, to] = pair.map(|end| end.place);
-            self.join_places(from, to, OperationRole::Line)
+            self.join_places(Sheet::Scheme, OperationRole::Line, [from, to])
         };
         let side = self.join(pair[0].point, pair[1].point);
         let rays = [(pair[0], pair[1]), (pair[1], pair[0])].map(|(end, other)| {

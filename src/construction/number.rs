@@ -1,6 +1,7 @@
 //! Numbers of a construction, and how a calculator makes them from others.
 
 use super::cut::SpecialId;
+use super::kennedy::CenterId;
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use crate::sheet::Order;
 use smallvec::SmallVec;
@@ -55,6 +56,8 @@ pub enum NumberKind {
     Segment(Order, [String; 2]),
     /// A rate: given, or solved for.
     Rate(Rate),
+    /// The angular velocity of a link, found by distances of instant centres.
+    RateByCenters(BodyId),
     /// The signed size of a vector that is laid off.
     Size,
     /// A measurement that no later operation uses, with the name of its quantity.
@@ -68,6 +71,8 @@ pub enum End {
     Joint(PointId),
     /// A special point.
     Special(SpecialId),
+    /// An instant centre.
+    Center(CenterId),
 }
 
 /// A rate of a link or a slider, in the scene's units, angles in rad.

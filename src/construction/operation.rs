@@ -1,4 +1,5 @@
 use super::cut::SpecialId;
+use super::kennedy::CenterId;
 use super::number::{Equation, NumberId, Product};
 use crate::geometry::Vector;
 use crate::mechanism::{PointId, SliderId};
@@ -53,6 +54,10 @@ pub enum OperationRole {
     CutLine(SpecialId),
     /// A special point, where two cut lines cross.
     SpecialPoint(SpecialId),
+    /// A line on which an instant centre lies, the first or the second.
+    CenterLine(CenterId, usize),
+    /// An instant centre, where two such lines cross.
+    Center(CenterId),
     /// A ray towards a plan point.
     Ray,
     /// A plan point where two rays cross.

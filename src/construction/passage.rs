@@ -21,6 +21,12 @@ pub enum Aim {
     Rates,
     /// Images of further points, from known rates and images.
     Images,
+    /// The permanent instant centres.
+    PermanentCenters,
+    /// An instant centre, where two lines cross.
+    Center,
+    /// A velocity by centres.
+    CenterVelocity,
     /// That there is no construction.
     Nothing,
 }
@@ -59,12 +65,15 @@ impl Construction {
                         Aim::SpecialPoints => own == group,
                         Aim::Crossing => !is_reached || step.action.is_measured(),
                         Aim::Start | Aim::Images => true,
-                        Aim::Rates => !is_reached,
-                        Aim::Nothing => false,
+                        Aim::Rates | Aim::Center | Aim::CenterVelocity => !is_reached,
+                        Aim::Nothing | Aim::PermanentCenters => false,
                     }
             });
             let was_reached = joins && present.is_some_and(|(.., is_reached)| is_reached);
-            let reached = matches!(step.action, Action::Cross { .. } | Action::Solve { .. });
+            let reached = matches!(
+                step.action,
+                Action::Cross { .. } | Action::Solve { .. } | Action::Center(_) | Action::VelocityByCenters(_)
+            );
             present = Some((step.sheet, group, was_reached || reached));
             match passages.last_mut().filter(|_| joins) {
                 Some(passage) => passage.steps[1] = step.number,
@@ -89,7 +98,10 @@ fn aim(steps: &[NumberedStep<'_>], last: Option<Aim>) -> Aim {
         Action::SpecialPoint { .. } | Action::Measure { .. } if first.plan.is_none() => Aim::SpecialPoints,
         Action::Pole { .. } => Aim::Start,
         Action::Solve { .. } => Aim::Rates,
-        Action::NoConstruction(_) => Aim::Nothing,
+        Action::NoConstruction(_) | Action::CentersByRates(_) => Aim::Nothing,
+        Action::PermanentCenters => Aim::PermanentCenters,
+        Action::LeaveOut { .. } | Action::CenterLine { .. } | Action::Center(_) => Aim::Center,
+        Action::RateByCenters { .. } | Action::VelocityByCenters(_) => Aim::CenterVelocity,
         Action::Divide { .. } | Action::Coincide { .. } => Aim::Images,
         Action::Measure { .. } => {
             let after = actions().find(|action| !action.is_measured());
@@ -162,7 +174,14 @@ impl Teller<'_> {
                 // A motion along a guide may lie between two images that are there.
                 vec![if images.is_empty() { laid_off } else { joined(&images, Language::join_images) }]
             }
-            Aim::Nothing => steps.iter().map(|step| self.caption(step)).collect(),
+            // Its lines are named in the caption of their crossing.
+            Aim::Center => {
+                let lines = |step: &&NumberedStep<'_>| !matches!(step.action, Action::CenterLine { .. });
+                steps.iter().filter(lines).map(|step| self.caption(step)).collect()
+            }
+            Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity => {
+                steps.iter().map(|step| self.caption(step)).collect()
+            }
         };
         let said: Vec<String> = sentences.into_iter().filter(|sentence| !sentence.is_empty()).collect();
         said.join(" ")

@@ -109,6 +109,7 @@ impl<'a> Teller<'a> {
                 language.solve(&names.join(", "))
             }
             Action::NoConstruction(far) => no_construction(self.words, far),
+            centers => self.caption_of_centers(centers).unwrap_or_default(),
         }
     }
 
@@ -131,6 +132,7 @@ impl<'a> Teller<'a> {
             | Action::Coincide { .. }
             | Action::Solve { .. }
             | Action::NoConstruction(_) => Formula::default(),
+            centers => self.formula_of_centers(centers).unwrap_or_default(),
         }
     }
 

@@ -6,11 +6,13 @@ use super::leg::DrawnSpecial;
 use super::markup::{no_construction, plain_text};
 use super::step::Action;
 use super::writer::Writer;
-use crate::mechanism::{AngularRate, BodyId, Group, LoopEquations, Mechanism, PointId};
+use crate::centers::LinkPair;
+use crate::forces::{AtPose, Forces, forces};
+use crate::mechanism::{AngularRate, BodyId, GROUND, Group, LoopEquations, Mechanism, PointId};
 use crate::motion::{Motion, MotionError, motion};
 use crate::position::Pose;
-use crate::scene::{ConstructionShown, Scene};
-use crate::sheet::Order;
+use crate::scene::{CentersShown, ConstructionShown, Figure, Scene};
+use crate::sheet::{Order, Sheet};
 use crate::words::{Language, Wording};
 
 /// A solved scene: the mechanism in one position with its motion and its plans. Input of figures, results, steps and
@@ -39,7 +41,10 @@ impl Solution {
             ConstructionShown::Paper => Extent::Rates,
             ConstructionShown::Whole | ConstructionShown::Hidden => Extent::Points,
         };
-        let construction = construct(&mechanism, &pose, &motion, extent);
+        let mut construction = construct(&mechanism, &pose, &motion, extent);
+        if scene.figure.shown_panels().contains(&Sheet::Centers) {
+            construction = with_centers(&scene.figure, (&mechanism, &pose, &motion), construction);
+        }
         // A work sheet is drawn on.
         let turned = scene.figure.turned.filter(|_| !scene.figure.worksheet);
         let turned = turned.map(|sense| Box::new(construction.turned(sense)));
@@ -52,6 +57,13 @@ impl Solution {
     /// [`MotionError`] in a singular position.
     pub fn moved(&self, pose: Pose) -> Result<Self, MotionError> {
         Self::new(self.scene.clone(), self.mechanism.clone(), pose, self.motion.order)
+    }
+
+    /// What joints carry and drives need, found anew; `None` for a scene without loads, and where a number leaves the range of f64.
+    #[must_use]
+    pub fn forces(&self) -> Option<Forces> {
+        self.mechanism.loads.as_ref()?;
+        forces(&self.mechanism, &AtPose::new(&self.mechanism, &self.pose))
     }
 
     /// The construction as figures and steps show it: with the velocity plan turned, where the figure asks for it. What a hand draws or
@@ -100,6 +112,27 @@ pub fn construct(mechanism: &Mechanism, pose: &Pose, motion: &Motion, extent: Ex
     if extent == Extent::Points {
         mechanism.body_ids().filter(|&body| mechanism.is_known(body)).for_each(|body| writer.further_images(body));
     }
+    writer.construction
+}
+
+/// A construction with the instant centres and the velocities by centres that a figure asks for.
+fn with_centers(
+    figure: &Figure,
+    (mechanism, pose, motion): (&Mechanism, &Pose, &Motion),
+    construction: Construction,
+) -> Construction {
+    /// Most links, with the frame, of which all centres are drawn unless the figure says otherwise: six centres, two by lines.
+    const FEW: usize = 4;
+    let all = LinkPair::all(mechanism);
+    let wanted = match &figure.centers {
+        CentersShown::All => all,
+        CentersShown::Usual if mechanism.links().count() < FEW => all,
+        CentersShown::Usual => all.into_iter().filter(|pair| pair.other(GROUND).is_some()).collect(),
+        CentersShown::Named(names) => names.iter().filter_map(|name| LinkPair::named(name, mechanism)).collect(),
+    };
+    let points: Vec<PointId> = figure.velocities.iter().filter_map(|name| mechanism.point(name)).collect();
+    let mut writer = Writer::continued(mechanism, pose, motion, construction);
+    writer.centers(&wanted, &points);
     writer.construction
 }
 

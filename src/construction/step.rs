@@ -1,6 +1,8 @@
 //! Steps at the board, and the plans that they draw.
 
 use super::cut::SpecialId;
+use super::kennedy::{CenterId, CenterLine, FigureOf};
+use crate::centers::LinkPair;
 use crate::geometry::Vector;
 use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
 use crate::sheet::{Order, Sheet};
@@ -74,6 +76,41 @@ pub enum Action {
         /// The link.
         link: BodyId,
     },
+    /// Plot the permanent instant centres: pins, and guides' normals at infinity.
+    PermanentCenters,
+    /// Draw a line on which a centre lies.
+    CenterLine {
+        /// The centre that it leads to …
+        center: CenterId,
+        /// … of these links …
+        pair: LinkPair,
+        /// … in this figure.
+        figure: FigureOf,
+        /// The line.
+        line: CenterLine,
+    },
+    /// Mark the instant centre where its two lines cross.
+    Center(CenterId),
+    /// Leave a link out and glue two others together.
+    LeaveOut {
+        /// The centre that is looked for.
+        center: LinkPair,
+        /// The figure that is left.
+        figure: FigureOf,
+    },
+    /// No lines lead to these centres: their places come from the computed motion.
+    CentersByRates(Vec<LinkPair>),
+    /// Compute the angular velocity of a link from distances of centres.
+    RateByCenters {
+        /// The link.
+        link: BodyId,
+        /// The driven link.
+        driver: BodyId,
+        /// Its angular velocity.
+        value: f64,
+    },
+    /// Lay off the velocity of a point, normal to its ray from the centre of its link: index among the velocities by centres.
+    VelocityByCenters(usize),
     /// There is no construction by two rays: names of the special points at infinity, where these are the reason; else
     /// none.
     NoConstruction(Vec<String>),
@@ -118,6 +155,13 @@ impl NumberedStep<'_> {
             Action::Measure { from, to, .. } => vec![sheet.segment_name(from, to)],
             Action::LayOff(arrow) => vec![sheet.segment_name(&arrow.from, &arrow.to)],
             Action::Solve { unknowns, .. } => unknowns.iter().map(|u| u.0.clone()).collect(),
+            Action::PermanentCenters
+            | Action::CenterLine { .. }
+            | Action::Center(_)
+            | Action::LeaveOut { .. }
+            | Action::CentersByRates(_)
+            | Action::RateByCenters { .. }
+            | Action::VelocityByCenters(_) => Vec::new(),
             action => {
                 let image = self.plan.zip(action.image());
                 image.map(|(plan, point)| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()

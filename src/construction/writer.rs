@@ -217,33 +217,38 @@ impl<'a> Writer<'a> {
 
     /// A joint on the scheme.
     pub(crate) fn plot(&mut self, point: PointId) -> PlaceId {
+        self.plot_on(Sheet::Scheme, point)
+    }
+
+    /// A joint on a sheet that shows the mechanism.
+    pub(super) fn plot_on(&mut self, sheet: Sheet, point: PointId) -> PlaceId {
         let name = self.mechanism.point_name(point);
-        if let Some(place) = self.construction.place(Sheet::Scheme, name) {
+        if let Some(place) = self.construction.place(sheet, name) {
             return place;
         }
         let place = self.next_place();
         let at = self.pose.point(point) - self.construction.origin;
-        self.push(Sheet::Scheme, OperationRole::Joint(point), OperationKind::Plot { place, at });
+        self.push(sheet, OperationRole::Joint(point), OperationKind::Plot { place, at });
         let exact = Pair::between(self.construction.origin, self.pose.point(point));
         self.construction.record.exact.places[place.0] = exact;
-        self.name_place(Sheet::Scheme, name, place);
+        self.name_place(sheet, name, place);
         place
     }
 
     /// The line through two joints, from the first towards the second.
     pub(crate) fn join(&mut self, from: PointId, towards: PointId) -> LineId {
         let (from, towards) = (self.plot(from), self.plot(towards));
-        self.join_places(from, towards, OperationRole::Line)
+        self.join_places(Sheet::Scheme, OperationRole::Line, [from, towards])
     }
 
-    /// The line through two places.
-    pub(crate) fn join_places(&mut self, from: PlaceId, towards: PlaceId, role: OperationRole) -> LineId {
+    /// The line through two places of a sheet.
+    pub(crate) fn join_places(&mut self, sheet: Sheet, role: OperationRole, [from, towards]: [PlaceId; 2]) -> LineId {
         if let Some(line) = self.construction.record.joins.get(&[from, towards]) {
             return *line;
         }
         let line = self.next_line();
         self.construction.record.joins.insert([from, towards], line);
-        self.push(Sheet::Scheme, role, OperationKind::Join { line, from, towards });
+        self.push(sheet, role, OperationKind::Join { line, from, towards });
         line
     }
 
@@ -300,18 +305,24 @@ impl<'a> Writer<'a> {
     }
 
     /// Takes a number of the scene, or with `by_hand` false one of the computed motion; none for zero.
-    pub(super) fn take(&mut self, by_hand: bool, order: Order, kind: NumberKind, value: f64) -> Option<NumberId> {
+    pub(super) fn take(
+        &mut self,
+        by_hand: bool,
+        sheet: impl Into<Sheet>,
+        kind: NumberKind,
+        value: f64,
+    ) -> Option<NumberId> {
         if value == 0.0 {
             return None;
         }
         let number = self.new_number(kind);
-        self.push_by(by_hand, order, OperationRole::Number, OperationKind::Take { number, value });
+        self.push_by(by_hand, sheet, OperationRole::Number, OperationKind::Take { number, value });
         Some(number)
     }
 
-    pub(crate) fn compute(&mut self, order: Order, kind: NumberKind, sum: Vec<Product>) -> NumberId {
+    pub(crate) fn compute(&mut self, sheet: impl Into<Sheet>, kind: NumberKind, sum: Vec<Product>) -> NumberId {
         let number = self.new_number(kind);
-        self.push(order, OperationRole::Number, OperationKind::Compute { number, sum });
+        self.push(sheet, OperationRole::Number, OperationKind::Compute { number, sum });
         number
     }
 
@@ -324,20 +335,32 @@ impl<'a> Writer<'a> {
     }
 
     /// Solves linear equations for rates; `None` where they are singular.
-    pub(super) fn solve(&mut self, order: Order, rates: &[Rate], equations: Vec<Equation>) -> Option<Vec<NumberId>> {
-        let unknowns: Vec<NumberId> = rates.iter().map(|&rate| self.new_number(NumberKind::Rate(rate))).collect();
-        self.push(order, OperationRole::Rates, OperationKind::Solve { unknowns: unknowns.clone(), equations });
+    pub(super) fn solve(
+        &mut self,
+        sheet: impl Into<Sheet>,
+        kinds: Vec<NumberKind>,
+        equations: Vec<Equation>,
+    ) -> Option<Vec<NumberId>> {
+        let unknowns: Vec<NumberId> = kinds.into_iter().map(|kind| self.new_number(kind)).collect();
+        self.push(sheet, OperationRole::Rates, OperationKind::Solve { unknowns: unknowns.clone(), equations });
         unknowns.iter().all(|&number| self.construction.record.exact.numbers[number.0].is_known()).then_some(unknowns)
     }
 
     /// Lays off a vector whose size is a sum of products; returns its end, which is `from` for an empty sum.
-    pub(crate) fn lay_off(&mut self, order: Order, from: PlaceId, sum: Vec<Product>, along: Along) -> PlaceId {
+    pub(crate) fn lay_off(
+        &mut self,
+        sheet: impl Into<Sheet>,
+        from: PlaceId,
+        sum: Vec<Product>,
+        along: Along,
+    ) -> PlaceId {
         if sum.is_empty() {
             return from;
         }
-        let size = self.compute(order, NumberKind::Size, sum);
+        let sheet = sheet.into();
+        let size = self.compute(sheet, NumberKind::Size, sum);
         let place = self.next_place();
-        self.push(order, OperationRole::Vector, OperationKind::LayOff { place, from, size, along });
+        self.push(sheet, OperationRole::Vector, OperationKind::LayOff { place, from, size, along });
         place
     }
 
@@ -368,24 +391,29 @@ impl<'a> Writer<'a> {
 
     /// A slider's guide on the scheme.
     pub(crate) fn guide(&mut self, id: SliderId) -> LineId {
-        if let Some(line) = self.construction.record.guides.get(&id) {
+        self.guide_on(Sheet::Scheme, id)
+    }
+
+    /// A slider's guide on a sheet that shows the mechanism.
+    pub(super) fn guide_on(&mut self, sheet: Sheet, id: SliderId) -> LineId {
+        if let Some(line) = self.construction.record.guides.get(&(sheet, id)) {
             return *line;
         }
         let direction = self.pose.guide(id);
         let line = match self.points_of_guide(id) {
             Some(ends) => {
-                let [from, towards] = ends.map(|point| self.plot(point));
-                self.join_places(from, towards, OperationRole::Guide(id))
+                let ends = ends.map(|point| self.plot_on(sheet, point));
+                self.join_places(sheet, OperationRole::Guide(id), ends)
             }
             None => {
-                let at = self.plot(self.mechanism.slider(id).at);
-                self.draw(Sheet::Scheme, OperationRole::Guide(id), at, Along::given(direction))
+                let at = self.plot_on(sheet, self.mechanism.slider(id).at);
+                self.draw(sheet, OperationRole::Guide(id), at, Along::given(direction))
             }
         };
         // The scene gives the direction itself; a join of rounded joints would be less exact.
         let error = guide_error(direction);
         self.construction.record.exact.lines[line.0].1 = Pair::<Ball>::from(direction).widened(error);
-        self.construction.record.guides.insert(id, line);
+        self.construction.record.guides.insert((sheet, id), line);
         line
     }
 

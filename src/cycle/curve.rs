@@ -126,6 +126,7 @@ impl<'a> Curves<'a> {
         if asked.written.on_paper {
             return Err(QuantityError::OnPaper(name.to_owned()).into());
         }
+        asked.check_size()?;
         // The scene's own position is not singular.
         check_plan_points(path, std::slice::from_ref(&asked), [path.start()].into_iter())?;
         let mut reading = Reading::new(path, asked.clone());
@@ -302,6 +303,8 @@ fn typical_size(path: &Path, kind: QuantityKind) -> f64 {
         QuantityKind::Position | QuantityKind::Length => size,
         QuantityKind::Velocity => first * size,
         QuantityKind::Acceleration => second * size,
+        // How large forces are, only their curves tell.
+        QuantityKind::Force | QuantityKind::Moment => 0.0,
     }
 }
 

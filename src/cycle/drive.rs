@@ -77,7 +77,7 @@ impl Drive {
     }
 
     /// The same of a value that may be off, with certain digits only.
-    pub(super) fn amount_within(&self, value: f64, within: f64) -> String {
+    pub(crate) fn amount_within(&self, value: f64, within: f64) -> String {
         if self.is_angle {
             return certain_angle(value, within);
         }

@@ -20,6 +20,8 @@
 //! `still` says of one position what of it turns back there, in the same words.
 
 mod alike;
+mod centrode;
+mod certain;
 mod curve;
 mod drive;
 mod event;
@@ -46,6 +48,8 @@ mod variants;
 mod walker;
 
 pub(crate) use alike::Assemblies;
+pub use centrode::Centrode;
+pub use certain::CertainExtreme;
 pub use curve::{Curve, Curves, Extreme};
 pub(crate) use drive::differing_drives;
 pub use drive::{Drive, alone};

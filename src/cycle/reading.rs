@@ -15,6 +15,9 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// bounded quantity is like a polynomial in the square root of the distance.
 const NEAR_LIMIT: f64 = 5e-7;
 
+/// How far beside the extreme a search for it may end, in parts of a turn.
+pub(super) const SEARCHED: f64 = 1e-6;
+
 /// Distances from an end of the path, in parts of a turn, at which a quantity is tested for growth without bound.
 const APPROACH: [f64; 3] = [1e-3, 3e-5, 1e-6];
 
@@ -84,16 +87,10 @@ impl<'a> Reading<'a> {
 
     /// The value at this value of the drive, of an angle the one closest to `near`; `None` where it has no value.
     pub fn at(&mut self, drive: f64, near: Option<f64>) -> Option<f64> {
-        let unit = self.path.unit();
-        let gap = GAP * unit;
-        let limit = self.ends.into_iter().find_map(|end| match end {
-            End::Limit(at) if (at - drive).abs() < NEAR_LIMIT * unit => Some(at),
-            _ => None,
-        });
-        let found = if let Some(limit) = limit {
-            self.before_limit(drive, limit)
-        } else if self.path.changes.iter().any(|c| (c.at - drive).abs() < gap) {
-            self.bridged(drive, 2.0 * gap)
+        let found = if let Some(limit) = self.limit_near(drive) {
+            self.before_limit(drive, limit, 1.0)
+        } else if self.is_next_to_change(drive) {
+            self.bridged(drive, 2.0 * GAP * self.path.unit())
         } else {
             self.read(drive)
         };
@@ -118,13 +115,39 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// The value near a limit: the cubic in the square root of the distance through four values further back.
-    fn before_limit(&mut self, drive: f64, limit: f64) -> Option<f64> {
+    /// What a second way to the value differs by: next to a limit or a change point from values a little further away, elsewhere
+    /// from a search that ended a little beside it.
+    pub fn off(&mut self, drive: f64, value: f64) -> f64 {
+        let unit = self.path.unit();
+        let limit = self.limit_near(drive);
+        let others = match limit {
+            Some(limit) => vec![self.before_limit(drive, limit, 2.0)],
+            None if self.is_next_to_change(drive) => vec![self.bridged(drive, 3.0 * GAP * unit)],
+            None => [-SEARCHED, SEARCHED].map(|part| self.at(drive + part * unit, Some(value))).to_vec(),
+        };
+        let apart = others.into_iter().flatten().map(|other| (self.closest(other, Some(value)) - value).abs());
+        apart.reduce(f64::max).unwrap_or(f64::INFINITY)
+    }
+
+    /// The limit position next to which this value of the drive is.
+    fn limit_near(&self, drive: f64) -> Option<f64> {
+        self.ends.into_iter().find_map(|end| match end {
+            End::Limit(at) if (at - drive).abs() < NEAR_LIMIT * self.path.unit() => Some(at),
+            _ => None,
+        })
+    }
+
+    fn is_next_to_change(&self, drive: f64) -> bool {
+        self.path.changes.iter().any(|c| (c.at - drive).abs() < GAP * self.path.unit())
+    }
+
+    /// The value near a limit: the cubic in the square root of the distance through four values further back, from so many steps on.
+    fn before_limit(&mut self, drive: f64, limit: f64, first: f64) -> Option<f64> {
         let unit = NEAR_LIMIT * self.path.unit();
         let back = if limit > self.path.start() { -unit } else { unit };
         let root = ((limit - drive).abs() / unit).sqrt();
-        let first = self.read(limit + back)?;
-        let nodes = [1.0, 2.0, 3.0, 4.0];
+        let nodes = [0.0, 1.0, 2.0, 3.0].map(|further| first + further);
+        let first = self.read(limit + first * first * back)?;
         let mut sum = 0.0;
         for node in nodes {
             let others = nodes.iter().filter(|k| **k != node);

@@ -4,7 +4,7 @@ use crate::construction::{Extent, construct};
 use crate::geometry::{MANY, Row};
 use crate::mechanism::{GROUND, Mechanism, SliderId};
 use crate::motion::motion;
-use crate::quantity::{Quantity, QuantityError, QuantityRequest, Snapshot};
+use crate::quantity::{Quantity, QuantityError, QuantityRequest};
 use crate::scene::Scene;
 use crate::sheet::Order;
 use std::collections::BTreeSet;
@@ -149,14 +149,10 @@ impl<'a> Sweep<'a> {
         });
         let state = moved.as_ref().map(|(pose, motion, built)| {
             let bounds = bounds(scene, mechanism, pose, motion);
-            let bounds = built.iter().fold(bounds, |bounds, built| bounds.with_plans(built));
-            (Snapshot { pose, motion }, built.as_ref(), bounds)
+            built.iter().fold(bounds, |bounds, built| bounds.with_plans(built))
         });
         for asked in &self.columns {
-            let found = state.as_ref().and_then(|(state, built, bounds)| {
-                let value = asked.value(state, *built, None).ok()?;
-                Some((value, bounds.of(asked, None)))
-            });
+            let found = state.as_ref().and_then(|bounds| bounds.valued(asked, None).ok());
             push(asked, found.map(|(value, _)| value), numbers);
             numbers.push(found.map(|(_, error)| error).filter(|error| error.is_finite()));
         }

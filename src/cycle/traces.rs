@@ -4,7 +4,7 @@
 use super::drive::in_radians;
 use super::locus::{PointPath, PointPaths, REACH, is_same};
 use super::sampled::SAME;
-use super::{CycleError, Drive, Path};
+use super::{Centrode, CycleError, Drive, Path};
 use crate::construction::Solution;
 use crate::geometry::{degrees_of, span};
 use crate::mechanism::{Mechanism, Role};
@@ -22,6 +22,8 @@ const MOST_TURNS: usize = 12;
 pub struct Traces {
     /// The paths that the figure asks for, in its order, with ticks at equal times from the scene's own position.
     pub paths: Vec<PointPath>,
+    /// The centrodes of the links that the figure asks for, in its order.
+    pub centrodes: Vec<Centrode>,
     /// Equally spaced positions over the cycle, without the scene's own.
     pub ghosts: Vec<Pose>,
     /// The times of the ticks, if there are paths.
@@ -61,7 +63,7 @@ impl Traces {
     /// There is no such drive, a point has no path, or the branch cannot be followed.
     pub fn new(solution: &Solution, drive: Option<&str>) -> Result<Self, CycleError> {
         let figure = &solution.scene.figure;
-        if figure.trace.is_empty() && figure.ghosts.is_none() {
+        if figure.trace.is_empty() && figure.centrodes.is_empty() && figure.ghosts.is_none() {
             return Ok(Self::default());
         }
         let drive = Drive::new(&solution.mechanism, drive)?;
@@ -83,7 +85,10 @@ impl Traces {
             drive: path.drive.clone(),
         });
         let ghosts = figure.ghosts.map_or_else(Vec::new, |count| ghosts(&shown, is_closed, &solution.pose, count));
-        Ok(Self { paths: shown.curves, ghosts, times })
+        let grid = if figure.centrodes.is_empty() { Vec::new() } else { shown.grid() };
+        let centrodes = figure.centrodes.iter().map(|link| Centrode::new(&path, link, &grid));
+        let centrodes = centrodes.collect::<Result<_, _>>()?;
+        Ok(Self { paths: shown.curves, centrodes, ghosts, times })
     }
 }
 

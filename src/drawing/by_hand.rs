@@ -193,14 +193,13 @@ fn bare(solution: &Solution) -> Solution {
 }
 
 fn origin(context: &SheetContext<'_>, sheet: Sheet) -> Place {
-    if sheet == Sheet::Scheme { context.construction().origin } else { Place::origin() }
+    if sheet.order().is_none() { context.construction().origin } else { Place::origin() }
 }
 
 fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>, hand: &HandSheet) {
-    match hand.sheet {
-        Sheet::Scheme => scheme::draw(canvas, view, context),
-        Sheet::Velocity => pole(canvas, view, context, Order::Velocity),
-        Sheet::Acceleration => pole(canvas, view, context, Order::Acceleration),
+    match hand.sheet.order() {
+        Some(order) => pole(canvas, view, context, order),
+        None => scheme::draw(canvas, view, context),
     }
     draw_own(canvas, view, context, hand);
 }

@@ -398,6 +398,7 @@ fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> Message {
         Sheet::Scheme => says::scheme(),
         Sheet::Velocity => says::velocity_plan(),
         Sheet::Acceleration => says::acceleration_plan(),
+        Sheet::Centers => says::centers(),
     };
     let written = |mu| Wording::default().write(mu, SCALE);
     let fitting = fitting.map_or_else(says::no_scale, |mu| written(mu).into());

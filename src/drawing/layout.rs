@@ -60,13 +60,13 @@ pub(super) struct Needs {
 impl Needs {
     /// Those of a panel with the usual white, at a scale that fits.
     pub(super) fn usual(sheet: Sheet, extent: Extent, heading: f64) -> Needs {
-        let white = WHITE[usize::from(sheet == Sheet::Scheme)];
+        let white = WHITE[usize::from(sheet.order().is_none())];
         Needs { sheet, extent, heading, scale: 0.0, above: 0.0, rows: 0, mu: None, white, weight: 1.0, is_part: false }
     }
 
     /// These at scales with steps, of which most leave more white than labels need.
     pub(super) fn tight(self) -> Needs {
-        Needs { white: LEAST_WHITE[usize::from(self.sheet == Sheet::Scheme)], ..self }
+        Needs { white: LEAST_WHITE[usize::from(self.sheet.order().is_none())], ..self }
     }
 
     /// Width and height of the content, in units of what is drawn.

@@ -60,6 +60,7 @@
 mod at_rest;
 mod by_hand;
 mod canvas;
+mod centers;
 #[doc(hidden)] // for tests
 pub mod clip;
 mod compose;

@@ -1,6 +1,7 @@
 //! Panels of a sheet, each with layers: what a figure shows in them, and how large it is.
 
 use super::canvas::{Canvas, Held};
+use super::centers;
 use super::context::SheetContext;
 use super::dims::Dims;
 use super::layout::{Needs, Placed, ROW};
@@ -230,6 +231,7 @@ fn extents_with(context: &SheetContext<'_>, scheme: impl Fn(&SheetContext<'_>) -
     let extent = |&sheet: &Sheet| {
         let extent = match sheet {
             Sheet::Scheme => scheme(context),
+            Sheet::Centers => centers::extent(context),
             Sheet::Velocity | Sheet::Acceleration => {
                 plan::on_paper::extent(context.plan(sheet)?, context.figure().construction)
             }
@@ -292,7 +294,7 @@ pub(super) fn panels<'a>(
             ..Frame::new(line(&numbered(index, name)), Pen::Heading).with_scale(context)
         };
         let needs = Needs {
-            above: if sheet == Sheet::Scheme { scheme::above(context) } else { 0.0 },
+            above: if sheet.order().is_none() { scheme::above(context) } else { 0.0 },
             mu: context.surface.mu[sheet],
             weight: if context.figure().focus.is_some_and(|focus| focus != sheet) { COMPANION } else { 1.0 },
             // The width of the first panel's heading: it must not depend on the panel's letter.
@@ -309,23 +311,24 @@ pub(super) fn panels<'a>(
 
 /// The layer with the scheme or a plan.
 pub(super) fn content<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Layer<'a> {
-    layer(context, sheet, scheme::draw, plan::draw)
+    layer(context, sheet, [scheme::draw, centers::draw], plan::draw)
 }
 
 /// The layer with the hints at the subject of each step.
 pub(super) fn hints<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Layer<'a> {
-    layer(context, sheet, scheme::hints, plan::hints)
+    layer(context, sheet, [scheme::hints, centers::hints], plan::hints)
 }
 
 /// A layer of the scheme or of a plan; a plan that a position does not have is not drawn.
 fn layer<'a>(
     context: &'a SheetContext<'a>,
     sheet: Sheet,
-    of_scheme: fn(&mut Canvas<'_>, &View, &SheetContext<'_>),
+    [of_scheme, of_centers]: [fn(&mut Canvas<'_>, &View, &SheetContext<'_>); 2],
     of_plan: fn(&mut Canvas<'_>, &View, &SheetContext<'_>, &Plan),
 ) -> Layer<'a> {
     Box::new(move |canvas: &mut Canvas<'_>, view: &View| match sheet {
         Sheet::Scheme => of_scheme(canvas, view, context),
+        Sheet::Centers => of_centers(canvas, view, context),
         Sheet::Velocity | Sheet::Acceleration => {
             if let Some(plan) = context.plan(sheet) {
                 of_plan(canvas, view, context, plan);

@@ -17,7 +17,8 @@ impl Writer<'_> {
             Aim::Crossing => return self.crossing(steps),
             Aim::Rates => steps.iter().filter(|step| matches!(step.action, Action::Solve { .. })).collect(),
             Aim::Start => steps.iter().filter(|step| matches!(step.action, Action::LayOff(_))).collect(),
-            Aim::Images | Aim::Nothing => steps.iter().collect(),
+            Aim::Center => steps.iter().filter(|step| matches!(step.action, Action::Center(_))).collect(),
+            Aim::Images | Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity => steps.iter().collect(),
         };
         match with_details.as_slice() {
             [step] => self.details(step),

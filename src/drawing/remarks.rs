@@ -3,7 +3,7 @@
 use super::context::SheetContext;
 use super::lines::Lines;
 use super::view::Series;
-use crate::cycle::Times;
+use crate::cycle::{Centrode, Times};
 use crate::text::Untrusted;
 use crate::words::{Medium, NumberStyle};
 
@@ -13,6 +13,8 @@ pub(super) const VALUE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7)
 pub(super) const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2).on(Medium::Figure);
 /// Number style of the steps between ticks.
 const STEP: NumberStyle = NumberStyle::significant(3).trimmed().in_full(-3, 6).on(Medium::Figure);
+/// Number style of the diameter of an inflection circle.
+const DIAMETER: NumberStyle = NumberStyle::significant(4).trimmed().in_full(-3, 6).on(Medium::Figure);
 /// Number style of the difference between construction and loop equations.
 const BOUND: NumberStyle = NumberStyle::bound().on(Medium::Figure);
 
@@ -25,7 +27,9 @@ pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f
     let is_said = !agrees || (!has_list && !is_projected);
     // On a screen there is no paper to be measured on.
     let printed = (context.surface.series != Series::Any).then(|| context.words.language.printed().to_owned());
-    let sentence = is_said.then(|| std::iter::once(sentence).chain(printed).collect::<Vec<_>>().join(" "));
+    let sentence = is_said.then(|| {
+        std::iter::once(sentence).filter(|said| !said.is_empty()).chain(printed).collect::<Vec<_>>().join(" ")
+    });
     let sentences: Vec<String> = sentence_on_paths(context).into_iter().chain(sentence).collect();
     let together = (!sentences.is_empty()).then(|| sentences.join(" "));
     Lines { step, ..Lines::of(&together, context.surface.dims.width_below() - beside) }
@@ -39,6 +43,13 @@ pub(super) fn paths(context: &SheetContext<'_>) -> Lines {
 /// The sentence on the agreement of the construction with the loop equations, and whether they agree.
 fn routes(context: &SheetContext<'_>) -> (String, bool) {
     let (language, construction) = (context.words.language, context.construction());
+    // A figure of centres without plans says how these agree.
+    let has_plan = context.figure().shown_panels().iter().any(|panel| panel.order().is_some());
+    if let (false, Some(centers)) = (has_plan, &construction.centers) {
+        let Some(worst) = centers.agreement else { return (String::new(), true) };
+        let [difference, allowed] = [worst.difference, worst.allowed].map(|x| context.words.write(x, BOUND));
+        return (language.centers_differ(&difference, &allowed), true);
+    }
     let known = construction.agreement.iter().flatten();
     let worst = known.max_by(|a, b| a.difference.total_cmp(&b.difference));
     match worst {
@@ -54,8 +65,44 @@ fn routes(context: &SheetContext<'_>) -> (String, bool) {
     }
 }
 
-/// The sentence on the paths and their ticks, in markup.
+/// The sentences on what the scheme shows of a cycle besides the position, and on inflection circles, in markup.
 pub(super) fn sentence_on_paths(context: &SheetContext<'_>) -> Option<String> {
+    let all = ticks(context).into_iter().chain(centrodes(context)).chain(inflection(context));
+    let all: Vec<String> = all.collect();
+    (!all.is_empty()).then(|| all.join(" "))
+}
+
+/// The sentences on centrodes: of which links, and of which there are none.
+fn centrodes(context: &SheetContext<'_>) -> impl Iterator<Item = String> {
+    let (language, all) = (context.words.language, &context.traces.centrodes);
+    let has_curve = |centrode: &&Centrode| !centrode.fixed.is_empty();
+    let listed = |of: Vec<&Centrode>| {
+        let names: Vec<String> = of.iter().map(|centrode| context.shown(&centrode.name, None)).collect();
+        (!names.is_empty()).then(|| names.join(", "))
+    };
+    let (with, without): (Vec<&Centrode>, Vec<&Centrode>) = all.iter().partition(has_curve);
+    let with = listed(with).map(|links| language.centrodes(&links));
+    with.into_iter().chain(listed(without).map(|links| language.no_centrodes(&links)))
+}
+
+/// The sentences on inflection circles, each with its diameter.
+fn inflection(context: &SheetContext<'_>) -> impl Iterator<Item = String> {
+    let (solution, language) = (context.solution, context.words.language);
+    context.figure().inflection.iter().map(move |name| {
+        let link = context.shown(name, None);
+        match solution.inflection_circle(name) {
+            Some((_, [pole, inflection])) => {
+                let unit = solution.scene.units.length.as_str();
+                let diameter = context.words.write((inflection - pole).norm(), DIAMETER);
+                language.inflection_circle(&link, &format!("{diameter} {unit}"))
+            }
+            None => language.no_inflection_circle(&link),
+        }
+    })
+}
+
+/// The sentence on the paths and their ticks, in markup.
+fn ticks(context: &SheetContext<'_>) -> Option<String> {
     let Times { drive, step, time, .. } = context.traces.times.as_ref()?;
     let shown = |name: &str| context.shown(name, None);
     let points: Vec<String> = context.traces.paths.iter().map(|path| shown(&path.name)).collect();

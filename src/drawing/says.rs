@@ -6,6 +6,7 @@ messages! { "drawing":
     scheme;
     velocity_plan;
     acceleration_plan;
+    centers;
     overflow(panel, key, given, fitting);
     no_scale;
     cost_of_list(scales);

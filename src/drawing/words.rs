@@ -265,7 +265,13 @@ impl Writer<'_> {
         let value = match (action, drawn) {
             (Action::Measure { value, .. }, _) => self.size(*value, sheet),
             (_, Some((_, vector))) => self.vector(vector, sheet),
-            _ => return,
+            _ => match self.context.teller().value_of_centers(action) {
+                Some((value, kind)) => {
+                    let unit = kind.unit(self.context.solution.scene.units);
+                    format!("{} {unit}", self.context.words.write(value, VALUE))
+                }
+                None => return,
+            },
         };
         let name = |name: &str| [RichText::math(&self.context.told(name, plan)), RichText::plain(" ")];
         let mut texts: Vec<RichText> = drawn.into_iter().flat_map(|(ends, _)| ends).flat_map(name).collect();

@@ -15,7 +15,12 @@ pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneE
     };
     document.remove(&["links", name])?;
     remove_joints(document, Meaning::Link, name)?;
+    remove_entries(document, &["forces"], &|load| load["on"] == *name)?;
+    remove_entries(document, &["springs"], &|spring| ends(spring).any(|end| end[0] == *name))?;
     document.remove(&["near", &format!("angle({name})")])?;
+    for list in ["centrodes", "inflection"] {
+        remove_entries(document, &["figure", list], &|link| *link == *name)?;
+    }
     remove_named(document, &names, Named::Link, name)?;
     let is_elsewhere = |point: &String| {
         names.ground.contains(point) || names.links.iter().any(|(link, points)| link != name && points.contains(point))
@@ -81,11 +86,32 @@ fn take_from_link(document: &mut Document<'_>, link: &str, points: &[String], na
 /// Removes what only says something of a point: its place, its known motion, its label, its path.
 fn forget(document: &mut Document<'_>, names: &Names, name: &str) -> Result<(), SceneError> {
     remove_joints(document, Meaning::Point, name)?;
+    remove_loads(document, name)?;
     for table in ["near", "points", "known"] {
         document.remove(&[table, name])?;
     }
-    remove_entries(document, &["figure", "trace"], &|point| *point == *name)?;
+    for list in ["trace", "velocities"] {
+        remove_entries(document, &["figure", list], &|point| *point == *name)?;
+    }
     remove_named(document, names, Named::Point, name)
+}
+
+/// The two ends of a spring: a body and a place each.
+fn ends(spring: &Json) -> impl Iterator<Item = &Json> {
+    spring["between"].as_array().into_iter().flatten()
+}
+
+/// Removes what loads links at a point: forces and springs there, and masses with their centre there.
+fn remove_loads(document: &mut Document<'_>, point: &str) -> Result<(), SceneError> {
+    remove_entries(document, &["forces"], &|load| load["at"] == *point)?;
+    remove_entries(document, &["springs"], &|spring| ends(spring).any(|end| end[1] == *point))?;
+    let scene = document.json();
+    for (link, _) in scene["links"].as_object().into_iter().flatten().filter(|(_, link)| link["center"] == *point) {
+        for key in ["mass", "weight", "inertia", "center"] {
+            document.remove(&["links", link, key])?;
+        }
+    }
+    Ok(())
 }
 
 /// Removes the joints that name a point or a link.

@@ -91,7 +91,7 @@ impl Exercises {
         let base: Value = base.expect("a scene is JSON");
         let is_page_open = page.is_none() && base["figure"]["page"].is_null();
         let figure = Figure {
-            panels: Sheet::ALL.to_vec(),
+            panels: Sheet::USUAL.to_vec(),
             step: None,
             special_points: true,
             construction: ConstructionShown::Whole,

@@ -1,4 +1,4 @@
-use super::result::{QuantityResult, ResultFile};
+use super::result::{CenterResult, QuantityResult, ResultFile};
 use crate::construction::Solution;
 use crate::geometry::{UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::quantity::{QuantityKind, QuantityRequest};
@@ -59,7 +59,17 @@ impl Solution {
             match *value {
                 QuantityResult::Number(value) if asked.written.on_paper => table.row(name.clone(), value, error, "mm"),
                 QuantityResult::Number(value) => table.line(name.clone(), value, error, kind),
+                QuantityResult::Vector(vector) if asked.is_place() => table.components(name, vector, error, kind),
                 QuantityResult::Vector(vector) => table.vector(name, Some(vector), error, kind),
+            }
+        }
+        for (name, center) in &result.centers {
+            let angle = format!("{name}.angle");
+            if let Some(CenterResult::AtInfinity { at_infinity, angle_error, .. }) = center
+                && !result.quantities.contains_key(&angle)
+            {
+                let direction = degrees_of(Vector::from(*at_infinity));
+                table.line(angle, direction, *angle_error, QuantityKind::Angle);
             }
         }
         table.lines
@@ -114,6 +124,11 @@ impl Table {
             let turned = libm::asin(off / size).to_degrees() + rounded(180.0);
             self.line(format!("{name}.angle"), degrees_of(vector), turned, QuantityKind::Angle);
         }
+        self.components(name, [x, y], bound, kind);
+    }
+
+    fn components(&mut self, name: &str, [x, y]: [f64; 2], bound: impl Into<Option<f64>>, kind: QuantityKind) {
+        let bound = bound.into();
         self.line(format!("{name}.x"), x, bound, kind);
         self.line(format!("{name}.y"), y, bound, kind);
     }

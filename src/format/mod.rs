@@ -9,6 +9,7 @@ pub mod digits;
 mod feedback;
 #[cfg(feature = "png")]
 mod film;
+mod forces;
 mod json;
 #[doc(hidden)] // for tests
 pub mod number;
@@ -34,14 +35,15 @@ pub use self::feedback::{FEEDBACK_MARK, feedback_html, html_text};
 pub use self::film::FilmFormat;
 #[cfg(all(feature = "cli", feature = "png"))]
 pub(crate) use self::film::MOST_AREA as MOST_FILM_AREA;
+pub use self::forces::{DriveResult, ForceResult, ForcesResult, FrameResult, GuideForceResult, InertiaResult};
 pub use self::json::{json, json_line};
 #[cfg(feature = "pdf")]
 pub use self::pdf::{PdfError, pdf_pages};
 #[cfg(feature = "png")]
 pub use self::png::PngError;
 pub use self::result::{
-    BandResult, GroupResult, LinkResult, PencilResult, PointResult, QuantityResult, ResultFile, ResultUnits,
-    SliderResult, pencil_result, result_schema,
+    BandResult, CenterResult, GroupResult, LinkResult, PencilResult, PointResult, QuantityResult, ResultFile,
+    ResultUnits, SliderResult, pencil_result, result_schema,
 };
 pub use self::steps::step_values;
 pub use self::structure::{listed_modes, mode, structure};

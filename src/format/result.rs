@@ -1,12 +1,14 @@
+use super::forces::ForcesResult;
 use crate::accuracy::says::unbounded;
 use crate::accuracy::{Bounds, bounds};
+use crate::centers::Center;
 use crate::construction::{Solution, coincident_name};
 use crate::cycle::told_turning_back;
 use crate::drawing::FigureSheets;
 use crate::geometry::{Place, Point, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role};
-use crate::quantity::{Band, Pencil, Quantity, QuantityRequest, Unread, measured_names};
-use crate::scene::{SceneError, Units};
+use crate::quantity::{Band, Head, Pencil, Quantity, QuantityRequest, Unread, measured_names};
+use crate::scene::{ForceUnit, MassUnit, SceneError, Units};
 use crate::sheet::{Order, Scales};
 use crate::words::Wording;
 use indexmap::IndexMap;
@@ -42,6 +44,12 @@ pub struct ResultFile {
     /// By quantity name: bound on its error, of a vector that of each component, of an angle in degrees.
     #[schemars(with = "IndexMap<String, Option<f64>>")]
     pub quantity_errors: IndexMap<String, f64>,
+    /// What joints carry and drives need; only of a scene with loads.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub forces: Option<ForcesResult>,
+    /// By name, as in `P(1,3)`: the instant centres that the scene's `want` asks for; null where the links rest on one another, or no place can be found.
+    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
+    pub centers: IndexMap<String, Option<CenterResult>>,
     /// How far hand drawings are from these numbers; only where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pencil: Option<PencilResult>,
@@ -60,6 +68,23 @@ pub struct ResultUnits {
     pub length: &'static str,
     /// Unit of time.
     pub time: &'static str,
+    /// Unit of mass.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass: Option<&'static str>,
+    /// Unit of force; moments are in force · length.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force: Option<&'static str>,
+}
+
+impl ResultUnits {
+    fn of(units: Units) -> ResultUnits {
+        ResultUnits {
+            length: units.length.as_str(),
+            time: units.time.as_str(),
+            mass: units.mass.map(MassUnit::as_str),
+            force: units.force.map(ForceUnit::as_str),
+        }
+    }
 }
 
 /// The motion of a link.
@@ -200,6 +225,55 @@ pub enum QuantityResult {
     Vector([f64; 2]),
 }
 
+/// An instant centre: its place, or the direction in which it lies at infinity.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+#[non_exhaustive]
+pub enum CenterResult {
+    /// At a place.
+    At {
+        /// Its coordinates.
+        position: [f64; 2],
+        /// Bound of the error of each.
+        #[schemars(with = "Option<f64>")]
+        error: f64,
+    },
+    /// At infinity, as far as it is certain.
+    AtInfinity {
+        /// The direction in which it lies, of length 1.
+        at_infinity: [f64; 2],
+        /// Bound of the error of that direction, in degrees.
+        #[schemars(with = "Option<f64>")]
+        angle_error: f64,
+        /// How far away it is at least, where it is not at infinity in every position: bounds of rates can tell no more.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        farther_than: Option<f64>,
+    },
+}
+
+impl CenterResult {
+    /// The result for a whole centre that is asked for; `None` for other quantities. Where no bound can be proved it is the place without one.
+    fn of(asked: &QuantityRequest, bounds: &Bounds<'_>) -> Option<Option<CenterResult>> {
+        if asked.written.head != Head::Center || !asked.written.is_plain() {
+            return None;
+        }
+        let found = match bounds.center(asked) {
+            Some(Center::At { place, error }) => Some(CenterResult::At { position: place.into(), error }),
+            Some(Center::AtInfinity { direction, error, beyond }) => Some(CenterResult::AtInfinity {
+                at_infinity: direction.into(),
+                angle_error: error,
+                farther_than: beyond.is_finite().then_some(beyond),
+            }),
+            Some(_) => None,
+            None => match bounds.valued(asked, None) {
+                Ok((Quantity::Vector(place), error)) => Some(CenterResult::At { position: place.into(), error }),
+                _ => None,
+            },
+        };
+        Some(found)
+    }
+}
+
 /// How far hand drawings at the figure's scales are from the numbers, by quantity name.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct PencilResult {
@@ -312,7 +386,7 @@ impl Solution {
         });
         ResultFile {
             kinegon: 1,
-            units: ResultUnits { length: scene.units.length.as_str(), time: scene.units.time.as_str() },
+            units: ResultUnits::of(scene.units),
             links: links.collect(),
             points: points(self, bounds),
             sliders: sliders.collect(),
@@ -320,6 +394,8 @@ impl Solution {
             groups: groups.collect(),
             quantities: IndexMap::new(),
             quantity_errors: IndexMap::new(),
+            forces: self.forces().map(|forces| ForcesResult::new(self, &forces, bounds)),
+            centers: IndexMap::new(),
             pencil: None,
             warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).collect(),
             notes: told_turning_back(self, &Wording::default()),
@@ -339,13 +415,18 @@ impl Solution {
         let scales = on_paper.then(|| FigureSheets::new(self).scales());
         for (index, name) in names.iter().enumerate() {
             let found = QuantityRequest::new(name, &self.mechanism).and_then(|asked| {
-                let value = asked.value(&self.snapshot(), Some(&self.construction), scales.as_ref())?;
-                Ok((value, bounds.of(&asked, scales.as_ref())))
+                let center = CenterResult::of(&asked, &bounds);
+                let valued = bounds.valued(&asked, scales.as_ref());
+                Ok((center, if center.is_some() { valued.ok() } else { Some(valued?) }))
             });
-            let (value, error) = found.map_err(|error| {
+            let (center, valued) = found.map_err(|error| {
                 let path = ["want", &index.to_string()];
                 self.scene.error_at(&path, error.problem().message, None)
             })?;
+            if let Some(center) = center {
+                result.centers.insert(name.clone(), center);
+            }
+            let Some((value, error)) = valued else { continue };
             let value = match value {
                 Quantity::Number(x) => QuantityResult::Number(x),
                 Quantity::Vector(v) => QuantityResult::Vector([v.x, v.y]),

@@ -46,6 +46,10 @@ impl Solution {
             let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
             list.heading(&language.routes_differ(&difference, &allowed));
         }
+        if let Some(agreement) = construction.centers.as_ref().and_then(|centers| centers.agreement) {
+            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            list.heading(&language.centers_differ(&difference, &allowed));
+        }
         list.text
     }
 }
@@ -230,6 +234,15 @@ impl StepList<'_> {
                     format!("{name} = {} {unit}{band}", self.digits(*value))
                 }));
                 lines
+            }
+            Action::Center(id) => {
+                let sine = self.teller.sine_of_center(*id).filter(|sine| *sine > 0.0);
+                std::iter::once(equation).chain(sine.map(|sine| self.crossing(sine))).collect()
+            }
+            Action::RateByCenters { .. } | Action::VelocityByCenters(_) => {
+                let value = self.teller.value_of_centers(step.action);
+                let value = value.map(|(value, kind)| format!(" = {} {}", self.digits(value), kind.unit(self.units)));
+                vec![equation + &value.unwrap_or_default()]
             }
             // Other steps have neither equation nor value.
             _ => Vec::new(),

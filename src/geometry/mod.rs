@@ -5,6 +5,7 @@
 
 mod ball;
 mod decimal;
+mod equations;
 mod lanes;
 mod line;
 mod numbers;
@@ -13,6 +14,7 @@ mod reduced;
 mod system;
 
 pub use ball::{Ball, RADIANS_PER_SECOND, RADIANS_PER_TURN};
+pub use equations::Equations;
 pub use lanes::{Lanes, MANY, Many, OneByOne, Register, Registers, Row, TOGETHER, portions};
 pub use line::{Crossing, Line, PARALLEL, Place};
 pub use numbers::{NEAR, Number, Pair, direction_near, quarters_of};

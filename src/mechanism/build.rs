@@ -14,6 +14,7 @@ use crate::scene::{Along, GivenBy, Link, Scene, Shape};
 use indexmap::{IndexMap, IndexSet};
 use std::cell::LazyCell;
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 /// The mechanism that a scene describes.
 ///
@@ -219,6 +220,7 @@ fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError>
         given_by: scene.given_by,
         points: names.iter().map(|&name| name.clone()).collect(),
         given: names.iter().map(|name| given(name)).collect(),
+        loads: scene.loads.as_ref().map(|loads| Arc::new(((**loads).clone(), scene.units))),
         ..Mechanism::default()
     };
     let body = |name: &str, points: &[String], role: Role, local: Vec<Point>| Body {

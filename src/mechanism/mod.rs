@@ -33,7 +33,8 @@ pub use loops::{AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduct
 use crate::Problem;
 use crate::geometry::{Point, Vector};
 use crate::message::Message;
-use crate::scene::{GivenBy, SceneError};
+use crate::scene::{GivenBy, Loads, SceneError, Units};
+use std::sync::Arc;
 
 /// Index of a named point in [`Mechanism::points`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -76,6 +77,8 @@ pub struct Mechanism {
     /// The links whose three lengths fit a triangle and its mirror image, so flat that rough places hardly tell which:
     /// the side that they are on was taken.
     pub doubtful_sides: Vec<BodyId>,
+    /// What loads its links, with the units; none of a scene without masses, forces and springs.
+    pub loads: Option<Arc<(Loads, Units)>>,
     /// Remarks for the author of the scene that do not stop the computation.
     pub warnings: Vec<Message>,
 }

@@ -54,7 +54,7 @@ pub use refine::ClosedForm;
 pub use singular::{Standing, drive_stands};
 pub use solve::motion;
 
-pub(crate) use moving::State;
+pub(crate) use moving::{BoundedMotion, State};
 pub(crate) use reach::Reach;
 pub(crate) use refine::coefficient_errors;
 pub(crate) use solve::{bounded_motion, standing_of};

@@ -11,7 +11,9 @@
 //! replaced by a mistaken one.
 
 mod band;
+mod forces;
 mod name;
+mod poles;
 mod reading;
 #[doc(hidden)] // for tests
 pub mod says;
@@ -21,8 +23,10 @@ mod value;
 pub use crate::scene::{Component, Head, QuantityName};
 pub use crate::sheet::QuantityKind;
 pub use band::{Band, Pencil, pencil, step_pencil};
+pub(crate) use forces::ForceRead;
 pub use name::{
-    AccelerationPart, QuantityError, QuantityRequest, Spot, What, measured_names, readable_names, step_names,
+    AccelerationPart, ForceOf, Pole, PoleOf, QuantityError, QuantityRequest, Spot, What, measured_names,
+    readable_names, step_names,
 };
 pub use reading::{Reading, Sense, Unread, read_by_hand};
 pub use value::{Quantity, Snapshot, State};

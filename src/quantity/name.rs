@@ -2,12 +2,14 @@
 
 use super::says;
 use crate::Problem;
+use crate::centers::{LinkPair, Permanent};
 use crate::construction::{Construction, NumberedStep, Rate, Solution, coincident_name};
-use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::message::Message;
 use crate::scene::{Component, Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use crate::text::shown;
+use std::sync::Arc;
 
 /// Why a quantity has no value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -31,6 +33,8 @@ pub enum QuantityError {
     NoValue(String, Message),
     /// A length on paper has no curve.
     OnPaper(String),
+    /// A place has no size, which a curve could show.
+    NoSize(String),
 }
 
 /// What the name of a quantity has in it.
@@ -69,6 +73,7 @@ impl QuantityError {
             QuantityError::OnPaper(name) => {
                 Problem::new(says::no_value(name, says::on_paper())).hint(says::without_mu())
             }
+            QuantityError::NoSize(name) => says::place_has_no_size(shown(name)).into(),
         }
     }
 }
@@ -112,6 +117,55 @@ pub enum What {
     Part(AccelerationPart, Spot, Spot, Option<BodyId>),
     /// A segment of the plan of velocities or of accelerations, by the names of its ends.
     Segment(Order, [String; 2]),
+    /// The place of a pole of the motion.
+    Pole(Pole),
+    /// The diameter of the inflection circle of a link, by its inflection pole.
+    InflectionDiameter(Pole),
+    /// The radius of curvature of the path of a place.
+    PathRadius(Spot),
+    /// What a joint carries or a drive needs, in this mechanism.
+    Force(ForceOf, Arc<Mechanism>),
+}
+
+/// A force or a moment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ForceOf {
+    /// The force on a body at a pin.
+    Reaction(PointId, BodyId),
+    /// The force on a sliding link across its guide.
+    Normal(SliderId),
+    /// The couple on a sliding link from its guide.
+    Couple(SliderId),
+    /// The torque of a link's drive.
+    Torque(BodyId),
+    /// The force of a slider's drive along its guide.
+    Push(SliderId),
+}
+
+/// A pole of the motion: a point that the motion of links makes, and no joint has to.
+#[derive(Clone, Debug)]
+pub struct Pole {
+    /// Its name, as in `P(1,3)`.
+    pub name: String,
+    /// What it is.
+    pub of: PoleOf,
+    /// A point of the mechanism, from which it is found.
+    pub near: PointId,
+    /// How many points the mechanism has.
+    pub points: usize,
+}
+
+/// What a pole of the motion is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum PoleOf {
+    /// The instant centre of two links, and what joints say of it.
+    Center(LinkPair, Option<Permanent>),
+    /// The inflection pole of a link's motion against the frame.
+    Inflection(BodyId),
+    /// The pole of accelerations of that motion.
+    Acceleration(BodyId),
 }
 
 /// Normal or tangential part of an acceleration.
@@ -130,6 +184,8 @@ pub enum Spot {
     Point(BodyId, PointId, String),
     /// A special point by its name.
     Special(String),
+    /// A pole of the motion: only lengths are measured to it.
+    Pole(Pole),
 }
 
 impl Spot {
@@ -137,7 +193,7 @@ impl Spot {
     #[must_use]
     pub fn name(&self) -> &str {
         match self {
-            Spot::Point(_, _, name) | Spot::Special(name) => name,
+            Spot::Point(_, _, name) | Spot::Special(name) | Spot::Pole(Pole { name, .. }) => name,
         }
     }
 }
@@ -156,6 +212,9 @@ impl QuantityRequest {
         let asked = QuantityRequest { name, written, what };
         let has_component = match asked.written.component {
             None => true,
+            // A place has no size, and a direction only at infinity, where a centre may lie.
+            Some(Component::Size) if asked.is_place() => false,
+            Some(Component::Angle) if asked.is_place() => matches!(asked.written.head, Head::Center),
             // A segment's length stands without a component.
             Some(Component::Angle) => asked.is_of_vectors() || matches!(asked.what, What::Segment(..)),
             Some(_) => asked.is_of_vectors(),
@@ -164,6 +223,14 @@ impl QuantityRequest {
             return Err(finder.form());
         }
         Ok(asked)
+    }
+
+    /// Refuses a place where one number is needed: of a vector its size would be taken.
+    pub(crate) fn check_size(&self) -> Result<(), QuantityError> {
+        if self.is_place() && self.written.component.is_none() {
+            return Err(QuantityError::NoSize(self.name.clone()));
+        }
+        Ok(())
     }
 
     /// Its name as it was asked for.
@@ -227,19 +294,91 @@ impl Finder<'_> {
                 }
                 // Only segments of plans are known in millimetres of paper.
                 None if sheet == Sheet::Scheme && !on_paper => {
-                    let (a, b) = two_spots()?;
-                    What::Length(a, b)
+                    let second = second.ok_or_else(|| self.form())?;
+                    What::Length(self.spot_or_pole(first)?, self.spot_or_pole(second)?)
                 }
                 None => return Err(self.form()),
             },
-            Head::Center => return Err(self.form()),
+            Head::Center | Head::InflectionPole | Head::AccelerationPole => {
+                What::Pole(self.pole(self.name, *head, arguments)?)
+            }
+            Head::InflectionDiameter => {
+                What::InflectionDiameter(self.pole(self.name, Head::InflectionPole, arguments)?)
+            }
+            Head::PathRadius => What::PathRadius(self.spot(first)?),
+            Head::Reaction | Head::GuideForce | Head::GuideCouple | Head::Torque | Head::Push => {
+                What::Force(self.force(*head, first, second)?, Arc::new(self.mechanism.clone()))
+            }
         })
+    }
+
+    /// The force of a name, in a mechanism with loads.
+    fn force(&self, head: Head, first: &str, second: Option<&str>) -> Result<ForceOf, QuantityError> {
+        let none = |why: Message| QuantityError::NoValue(shown(self.name), why);
+        let force = match head {
+            Head::Torque => ForceOf::Torque(self.link(first)?),
+            Head::GuideForce => ForceOf::Normal(self.slider(first)?),
+            Head::GuideCouple => ForceOf::Couple(self.slider(first)?),
+            Head::Push => ForceOf::Push(self.slider(first)?),
+            _ => {
+                let points = self.mechanism.points.iter().map(String::as_str);
+                let pin = self.mechanism.point(first).ok_or_else(|| unknown(self.name, Part::Point, first, points))?;
+                ForceOf::Reaction(pin, self.link(second.ok_or_else(|| self.form())?)?)
+            }
+        };
+        if self.mechanism.loads.is_none() {
+            return Err(none(says::no_loads()));
+        }
+        let is_there = match force {
+            ForceOf::Reaction(pin, link) => {
+                let mut joints = self.mechanism.joints.iter();
+                joints.any(|joint| joint.pin == Some(pin) && joint.bodies.contains(&link))
+            }
+            ForceOf::Torque(link) => matches!(self.mechanism.body(link).role, Role::Driver { .. }),
+            ForceOf::Push(slider) => self.mechanism.slider(slider).drive.is_some(),
+            ForceOf::Normal(_) | ForceOf::Couple(_) => true,
+        };
+        match (is_there, force) {
+            (true, _) => Ok(force),
+            (false, ForceOf::Reaction(..)) => Err(none(says::not_at_pin())),
+            (false, _) => Err(none(says::not_driven())),
+        }
     }
 
     fn link(&self, name: &str) -> Result<BodyId, QuantityError> {
         let links = || self.mechanism.links().map(|(_, b)| b.name.as_str());
         let found = self.mechanism.link(name);
         found.ok_or_else(|| unknown(self.name, Part::Link, name, links()))
+    }
+
+    /// A link of a name, but not the frame, which has no poles.
+    fn moving_link(&self, name: &str) -> Result<BodyId, QuantityError> {
+        self.link(name).and_then(|link| if link == GROUND { Err(self.form()) } else { Ok(link) })
+    }
+
+    /// The pole of that name, whose parts are these.
+    fn pole(&self, name: &str, head: Head, arguments: &[String]) -> Result<Pole, QuantityError> {
+        let first = arguments.first().map_or("", String::as_str);
+        let (of, link) = match (head, arguments) {
+            (Head::Center, [a, b]) => {
+                let [a, b] = [self.link(a)?, self.link(b)?];
+                let pair = LinkPair::new(a, b).ok_or_else(|| self.form())?;
+                (PoleOf::Center(pair, Permanent::of(pair, self.mechanism)), pair.links()[0])
+            }
+            (Head::InflectionPole, _) => self.moving_link(first).map(|link| (PoleOf::Inflection(link), link))?,
+            (Head::AccelerationPole, _) => self.moving_link(first).map(|link| (PoleOf::Acceleration(link), link))?,
+            _ => return Err(self.form()),
+        };
+        let near = self.mechanism.body(link).points.first().copied().unwrap_or(PointId(0));
+        Ok(Pole { name: name.to_owned(), of, near, points: self.mechanism.points.len() })
+    }
+
+    /// The place of a name, which may be a pole.
+    fn spot_or_pole(&self, name: &str) -> Result<Spot, QuantityError> {
+        match QuantityName::parse(name).filter(QuantityName::is_plain) {
+            Some(pole) => self.pole(name, pole.head, &pole.arguments).map(Spot::Pole),
+            None => self.spot(name),
+        }
     }
 
     fn slider(&self, name: &str) -> Result<SliderId, QuantityError> {
@@ -282,6 +421,7 @@ impl Finder<'_> {
     fn common_link(&self, a: &Spot, b: &Spot) -> Option<BodyId> {
         let holds = |link: BodyId, spot: &Spot| match spot {
             Spot::Special(name) => self.special().any(|s| s == (name.as_str(), link)),
+            Spot::Pole(_) => false,
             Spot::Point(body, point, _) => *body == link || self.mechanism.body(link).points.contains(point),
         };
         let links = || self.mechanism.links().map(|(id, _)| id);

@@ -110,6 +110,9 @@ impl Reader<'_> {
             What::SlidePosition(id) => self.slide_position(name, *id)?,
             What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
             What::Length(a, b) => return self.length(name, a, b),
+            What::Pole(_) | What::InflectionDiameter(_) | What::PathRadius(_) | What::Force(..) => {
+                return Err(Unread::NotDrawn);
+            }
             What::Segment(order, ends) if asked.written.component.is_some() => {
                 return self.direction(*order, ends, name);
             }
@@ -311,6 +314,7 @@ impl Reader<'_> {
             Spot::Point(_, point, name) => {
                 (self.writer.mechanism.point_name(*point) == name).then_some(End::Joint(*point))
             }
+            Spot::Pole(_) => None,
             Spot::Special(name) => {
                 let mut special = self.writer.construction.special.iter();
                 special.position(|s| s.name == *name).map(|index| End::Special(SpecialId(index)))
@@ -322,6 +326,7 @@ impl Reader<'_> {
         match spot {
             Spot::Point(_, point, _) => Ok(self.writer.plot(*point)),
             Spot::Special(name) => self.writer.construction.place(Sheet::Scheme, name).ok_or(Unread::NoConstruction),
+            Spot::Pole(_) => Err(Unread::NotDrawn),
         }
     }
 
@@ -335,6 +340,7 @@ impl Reader<'_> {
                 Ok(self.writer.motion(order, holder, *point))
             }
             (None, Spot::Special(_)) => Err(Unread::NoConstruction),
+            (None, Spot::Pole(_)) => Err(Unread::NotDrawn),
         }
     }
 
@@ -375,7 +381,7 @@ impl Reader<'_> {
         let of_rate = if part == AccelerationPart::Tangential { Order::Acceleration } else { Order::Velocity };
         let rate = self.rate_or_given(Rate::Angular(of_rate, link))?.ok_or(Unread::Given)?;
         let (from, to) = (self.scheme_point(b)?, self.scheme_point(a)?);
-        let line = self.writer.join_places(from, to, OperationRole::Line);
+        let line = self.writer.join_places(Sheet::Scheme, OperationRole::Line, [from, to]);
         let length = self.measure(Sheet::Scheme, name, [from, to], MeasuredAs::Along(line));
         let (product, turns) = match part {
             AccelerationPart::Normal => (Product::new(ProductKind::Normal, -1.0, &[rate, rate, length]), 0),

@@ -21,6 +21,16 @@ messages! { "quantity":
     at_infinity;
     not_on_one_link;
     no_plan;
+    centre_at_infinity;
+    centre_at_place;
+    rest_on_another;
+    link_turns_not;
+    path_is_straight;
+    place_has_no_size(name);
+    no_loads;
+    not_driven;
+    not_at_pin;
+    no_forces;
     nowhere_in_range;
     no_scale_in_table;
 }

@@ -1,4 +1,4 @@
-use super::name::{AccelerationPart, QuantityRequest, Spot, What};
+use super::name::{AccelerationPart, ForceOf, Pole, PoleOf, QuantityRequest, Spot, What};
 use crate::construction::Rate;
 use crate::mechanism::Mechanism;
 use crate::scene::Component;
@@ -27,7 +27,14 @@ impl QuantityRequest {
     }
 
     pub(super) fn is_of_vectors(&self) -> bool {
-        matches!(self.what, What::Coriolis(..) | What::Motion(..) | What::Part(..))
+        matches!(self.what, What::Coriolis(..) | What::Motion(..) | What::Part(..) | What::Pole(_))
+            || matches!(self.what, What::Force(ForceOf::Reaction(..), _))
+    }
+
+    /// Whether it is a place: a vector without a size.
+    #[must_use]
+    pub fn is_place(&self) -> bool {
+        matches!(self.what, What::Pole(_))
     }
 
     /// Whether it can be evaluated without the places and motions of points.
@@ -42,7 +49,7 @@ impl QuantityRequest {
         let special = |spot: &Spot| matches!(spot, Spot::Special(_));
         match &self.what {
             What::Segment(..) => true,
-            What::Coordinate(_, spot) => special(spot),
+            What::Coordinate(_, spot) | What::PathRadius(spot) => special(spot),
             What::Length(a, b) | What::Part(_, a, b, _) => special(a) || special(b),
             What::Motion(_, a, b) => special(a) || b.as_ref().is_some_and(special),
             _ => false,
@@ -56,7 +63,14 @@ impl QuantityRequest {
             What::Rate(rate) => Some(rate.order()),
             What::Motion(order, ..) | What::Segment(order, _) => Some(*order),
             What::Part(..) | What::Coriolis(..) => Some(Order::Acceleration),
-            What::Angle(_) | What::SlidePosition(_) | What::Coordinate(..) | What::Length(..) => None,
+            What::Angle(_)
+            | What::SlidePosition(_)
+            | What::Coordinate(..)
+            | What::Length(..)
+            | What::Pole(_)
+            | What::InflectionDiameter(_)
+            | What::PathRadius(_)
+            | What::Force(..) => None,
         }
     }
 
@@ -128,6 +142,27 @@ impl QuantityRequest {
             What::Coordinate(0, spot) => plain("x", shown(spot.name())),
             What::Coordinate(_, spot) => plain("y", shown(spot.name())),
             What::Length(a, b) => relative("L", "", a.name(), Some(b.name())),
+            What::Pole(Pole { of: PoleOf::Center(pair, _), .. }) => Symbol {
+                after: String::new(),
+                upper: "",
+                letter: notation.center,
+                lower: pair.index(mechanism, notation, shown),
+            },
+            What::Pole(Pole { of: PoleOf::Inflection(id), .. }) => plain("W", link(*id)),
+            What::Pole(Pole { of: PoleOf::Acceleration(id), .. }) => plain("G", link(*id)),
+            What::InflectionDiameter(pole) => {
+                Symbol { after: format!("({})", link(pole.of.link())), ..plain("d", "i".to_owned()) }
+            }
+            What::PathRadius(spot) => plain("ρ", shown(spot.name())),
+            What::Force(of, _) => match *of {
+                ForceOf::Reaction(pin, body) => {
+                    plain("R", format!("{},{}", shown(mechanism.point_name(pin)), link(body)))
+                }
+                ForceOf::Normal(id) => plain("N", names(id).pair),
+                ForceOf::Couple(id) => plain("M", names(id).pair),
+                ForceOf::Torque(id) => plain("T", link(id)),
+                ForceOf::Push(id) => plain("F", names(id).pair),
+            },
             What::Motion(order, a, b) => relative(order.vector(), "", a.name(), b.as_ref().map(|b| b.name())),
             What::Part(part, a, b, _) => {
                 let part = match part {
@@ -154,7 +189,7 @@ impl QuantityRequest {
         match self.written.component {
             Some(Component::Angle) => format!("∠{written}"),
             Some(Component::Size) => format!("|{written}|"),
-            None if self.is_vector() => format!("|{written}|"),
+            None if self.is_vector() && !self.is_place() => format!("|{written}|"),
             _ => written,
         }
     }

@@ -82,7 +82,7 @@ impl QuantityRequest {
                 Vector(quarter_turn(state.guide(*id)) * twice)
             }
             What::Coordinate(axis, spot) => Number(reader.place(spot)?.1[*axis]),
-            What::Length(a, b) => Number((reader.place(b)?.1 - reader.place(a)?.1).norm()),
+            What::Length(a, b) => Number((reader.spot(b)? - reader.spot(a)?).norm()),
             What::Motion(order, a, b) => Vector(reader.difference(*order, a, b.as_ref())?),
             What::Part(part, a, b, link) => {
                 let [normal, tangential] = reader.parts(a, b, *link)?;
@@ -91,6 +91,16 @@ impl QuantityRequest {
                     AccelerationPart::Tangential => tangential,
                 })
             }
+            What::Pole(pole) if self.written.component == Some(Component::Angle) => {
+                Number(degrees_of(self.direction_of(pole, state)?))
+            }
+            What::Pole(pole) => Vector(self.place_of(pole, state)?.coords),
+            What::InflectionDiameter(pole) => Number(self.diameter(pole, state)?),
+            What::PathRadius(spot) => {
+                let (body, place) = reader.place(spot)?;
+                Number(self.path_radius(body, place, state)?)
+            }
+            What::Force(of, mechanism) => self.force(*of, mechanism, state)?,
             What::Segment(order, ends) if self.written.component.is_some() => Vector(reader.segment(*order, ends)?),
             What::Segment(order, ends) if !self.written.on_paper => Number(reader.segment(*order, ends)?.norm()),
             What::Segment(order, ends) => {
@@ -124,6 +134,14 @@ struct Reader<'a, S: State> {
 }
 
 impl<S: State> Reader<'_, S> {
+    /// The coordinates of a named place or pole.
+    fn spot(&self, spot: &Spot) -> Result<Point, QuantityError> {
+        match spot {
+            Spot::Pole(pole) => self.asked.place_of(pole, self.state),
+            _ => Ok(self.place(spot)?.1),
+        }
+    }
+
     /// The body to which a named place belongs, and its coordinates.
     fn place(&self, spot: &Spot) -> Result<(BodyId, Point), QuantityError> {
         match spot {
@@ -135,6 +153,8 @@ impl<S: State> Reader<'_, S> {
                 let place = place.ok_or_else(|| self.asked.none(says::at_infinity()))?;
                 Ok((special.link, place))
             }
+            // Only lengths are measured to poles, which belong to no one body.
+            Spot::Pole(_) => Err(self.asked.none(says::not_on_one_link())),
         }
     }
 

@@ -56,7 +56,7 @@ pub struct Builder {
 impl Builder {
     /// An empty scene in these units.
     pub fn new(length: LengthUnit, time: TimeUnit) -> Builder {
-        let file = Object::default().with("kinegon", &1.0).with("units", &Units { length, time });
+        let file = Object::default().with("kinegon", &1.0).with("units", &Units::new(length, time));
         Builder { file: file.with("links", &Object::default()), figure: None }
     }
 

@@ -10,6 +10,7 @@ use std::fmt;
 use super::error::shortened;
 use super::value::{choice, several_forms};
 use super::write::{write_forms, write_keys};
+use crate::geometry::Ball;
 
 choice! {
     /// The plans for which scales are chosen that the scene does not give.
@@ -96,6 +97,21 @@ choice! {
         CounterClockwise = "counter-clockwise",
         /// Every velocity by −90°.
         Clockwise = "clockwise",
+    }
+}
+
+choice! {
+    /// The letter of instant centres.
+    #[schemars(rename = "center")]
+    #[derive(Default)]
+    CenterName {
+        /// P_13
+        #[default]
+        P = "P",
+        /// I_13
+        I = "I",
+        /// CIR_13, centro instantáneo de rotación
+        Cir = "CIR",
     }
 }
 
@@ -228,7 +244,7 @@ impl<T> Visitor<'_> for YesNoOr<T> {
     }
 }
 
-/// Units of every length and time of the scene.
+/// Units of every length and time of the scene, and of masses and forces where it has some.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = r#"units as { "length": "mm", "time": "s" }"#)]
 #[schemars(rename = "units")]
@@ -237,9 +253,21 @@ pub struct Units {
     pub length: LengthUnit,
     /// Unit of time.
     pub time: TimeUnit,
+    /// Unit of mass, where links have masses.
+    pub mass: Option<MassUnit>,
+    /// Unit of force, where there are masses, forces or springs.
+    pub force: Option<ForceUnit>,
 }
 
-write_keys!(Units { length, time });
+write_keys!(Units { length, time, mass, force });
+
+impl Units {
+    /// Units of length and time alone, of a scene without masses and forces.
+    #[must_use]
+    pub const fn new(length: LengthUnit, time: TimeUnit) -> Units {
+        Units { length, time, mass: None, force: None }
+    }
+}
 
 choice! {
     /// A unit of length.
@@ -278,6 +306,86 @@ choice! {
         S = "s",
         /// minute
         Min = "min",
+    }
+}
+
+choice! {
+    /// A unit of mass.
+    MassUnit {
+        /// kilogram
+        Kg = "kg",
+        /// gram
+        G = "g",
+        /// tonne
+        T = "t",
+        /// pound: 0.45359237 kg
+        Lb = "lb",
+        /// slug: lbf s²/ft
+        Slug = "slug",
+        /// blob: lbf s²/in
+        Blob = "blob",
+    }
+}
+
+choice! {
+    /// A unit of force.
+    ForceUnit {
+        /// newton
+        N = "N",
+        /// kilonewton
+        Kn = "kN",
+        /// millinewton
+        Mn = "mN",
+        /// kilogram-force: 9.80665 N
+        Kgf = "kgf",
+        /// pound-force: 0.45359237 kgf
+        Lbf = "lbf",
+    }
+}
+
+/// Newtons in a kilogram-force: standard gravity in m/s².
+const STANDARD_GRAVITY: &str = "9.80665";
+/// Kilograms in a pound.
+const POUND: &str = "0.45359237";
+
+impl Units {
+    /// The force that one unit of mass needs for one unit of acceleration, in units of force: 0.001 for mm, s, kg and N. All units are
+    /// exact decimals of SI units, or quotients of such. One where a unit of mass or force is missing.
+    pub(crate) fn force_of_mass_times_acceleration(self) -> Ball {
+        let one = Ball::from(1.0);
+        let (Some(mass), Some(force)) = (self.mass, self.force) else { return one };
+        let of = Ball::of_decimal;
+        let foot = of("0.3048");
+        let inch = of("0.0254");
+        let pound_force = of(POUND) * of(STANDARD_GRAVITY);
+        let kilograms = match mass {
+            MassUnit::Kg => one,
+            MassUnit::G => of("0.001"),
+            MassUnit::T => of("1000"),
+            MassUnit::Lb => of(POUND),
+            MassUnit::Slug => pound_force / foot,
+            MassUnit::Blob => pound_force / inch,
+        };
+        let metres = match self.length {
+            LengthUnit::M => one,
+            LengthUnit::Mm => of("0.001"),
+            LengthUnit::Cm => of("0.01"),
+            LengthUnit::In => inch,
+            LengthUnit::Ft => foot,
+        };
+        let seconds = match self.time {
+            TimeUnit::S => one,
+            TimeUnit::Min => of("60"),
+        };
+        let newtons = match force {
+            ForceUnit::N => one,
+            ForceUnit::Kn => of("1000"),
+            ForceUnit::Mn => of("0.001"),
+            ForceUnit::Kgf => of(STANDARD_GRAVITY),
+            ForceUnit::Lbf => pound_force,
+        };
+        // Numerator and denominator first: what stands in both cancels to the last digit.
+        kilograms * metres / (seconds * seconds * newtons)
     }
 }
 

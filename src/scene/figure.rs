@@ -7,9 +7,10 @@ use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value as Json, json};
 use std::ops::RangeInclusive;
 
+use super::centers::CentersShown;
 use super::choices::{
-    ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, NotationName, Page, PageSize, ScalesFor,
-    Sizes, SlidingName, StyleName, TurnedName, ValuesShown,
+    CenterName, ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, NotationName, Page, PageSize,
+    ScalesFor, Sizes, SlidingName, StyleName, TurnedName, ValuesShown,
 };
 use super::error::{Wrong, list, number, shortened};
 use super::given::GivenBy;
@@ -28,7 +29,7 @@ use crate::text::Untrusted;
 #[serde(default, deny_unknown_fields, expecting = r#"a figure as { "panels": ["scheme", "velocity"] }"#)]
 #[schemars(rename = "figure", description = "What the figure shows, and how large.", transform = without_defaults)]
 pub struct Figure {
-    /// The panels, in order; left out: all three.
+    /// The panels, in order; left out: the scheme and both plans.
     #[schemars(length(min = 1), extend("uniqueItems" = true))]
     pub panels: Vec<Sheet>,
     /// The scales of the panels: units of what a panel shows per millimetre of paper. In the file each has the key of
@@ -57,6 +58,9 @@ pub struct Figure {
     pub sliding: SlidingName,
     /// The index of Coriolis accelerations; left out: that of the notation.
     pub coriolis: Option<CoriolisName>,
+    /// How instant centres are written: P_13, I_13 or CIR_13; left out: "P".
+    #[schemars(with = "Option<CenterName>")]
+    pub center_letter: CenterName,
     /// The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word.
     pub frame: Option<FrameName>,
     /// The sense in which figures and steps show the velocity plan turned by 90°; sheets to be drawn on, keys and checks have it as
@@ -87,10 +91,23 @@ pub struct Figure {
     /// Whether these paths go on, dashed, beyond limits of the drive, in the other assembly modes that the mechanism
     /// reaches there if another link moves it; left out: false.
     pub beyond_limits: bool,
+    /// Links whose centrodes over that cycle are drawn in the scheme: the curves of the instant centre of the link and the frame, in the frame and in the link.
+    #[schemars(extend("uniqueItems" = true))]
+    pub centrodes: Vec<String>,
+    /// Links whose inflection circles are drawn in the scheme, through instant centre and inflection pole.
+    #[schemars(extend("uniqueItems" = true))]
+    pub inflection: Vec<String>,
     /// Number of equally spaced positions over that cycle in which the links are drawn pale; left out: none.
     #[serde(deserialize_with = "count")]
     #[schemars(with = "Option<u16>", range(min = 2, max = 72))]
     pub ghosts: Option<usize>,
+    /// The instant centres on the panel "centers", besides those that lead to them: "all", or a list of names, as ["P(2,ground)"]. Left out: all of a
+    /// mechanism with at most four links, of a larger one those of all links with the frame.
+    #[schemars(with = "Option<CentersShown>")]
+    pub centers: CentersShown,
+    /// Points of links whose velocities that panel shows, found by centres from the one driven link.
+    #[schemars(extend("uniqueItems" = true))]
+    pub velocities: Vec<String>,
     /// Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a
     /// photograph of them is read; left out: true.
     pub markers: bool,
@@ -103,8 +120,8 @@ pub struct Figure {
 }
 
 write_keys!(Figure {
-    panels, mu, scales, focus, page, worksheet, style, notation, sliding, coriolis, frame, turned, language,
-    decimal, labels, special_points, construction, values, step, trace, beyond_limits, ghosts, markers; sizes, usual_values
+    panels, mu, scales, focus, page, worksheet, style, notation, sliding, coriolis, center_letter, frame, turned, language,
+    decimal, labels, special_points, construction, values, step, trace, beyond_limits, centrodes, inflection, ghosts, centers, velocities, markers; sizes, usual_values
 } unless Figure::default());
 
 fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
@@ -130,10 +147,10 @@ fn count<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<usize>, D:
 }
 
 impl Default for Figure {
-    /// All three panels with everything on them, on A4 landscape, at scales that fit.
+    /// The scheme and both plans with everything on them, on A4 landscape, at scales that fit.
     fn default() -> Self {
         Figure {
-            panels: Sheet::ALL.to_vec(),
+            panels: Sheet::USUAL.to_vec(),
             mu: Scales::default(),
             scales: ScalesFor::default(),
             focus: None,
@@ -143,6 +160,7 @@ impl Default for Figure {
             notation: NotationName::default(),
             sliding: SlidingName::default(),
             coriolis: None,
+            center_letter: CenterName::default(),
             frame: None,
             turned: None,
             language: LanguageName::default(),
@@ -154,7 +172,11 @@ impl Default for Figure {
             step: None,
             trace: Vec::new(),
             beyond_limits: false,
+            centrodes: Vec::new(),
+            inflection: Vec::new(),
             ghosts: None,
+            centers: CentersShown::Usual,
+            velocities: Vec::new(),
             markers: true,
             sizes: None,
             usual_values: None,
@@ -239,15 +261,25 @@ pub(super) fn check_traced(
             return Err(Wrong::value(&path, says::point_twice(point)));
         }
     }
+    for (key, links) in [("centrodes", &figure.centrodes), ("inflection", &figure.inflection)] {
+        for (index, link) in links.iter().enumerate() {
+            let path = [key, &index.to_string()];
+            names.link(&path, link)?;
+            if links[..index].contains(link) {
+                return Err(Wrong::value(&path, says::link_twice(link)));
+            }
+        }
+    }
     if let Some(count) = figure.ghosts.filter(|count| !GHOSTS.contains(count)) {
         let (least, most) = (GHOSTS.start(), GHOSTS.end());
         let message = says::ghosts_between(*least, *most, count);
         return Err(Wrong::value(&["ghosts"], message));
     }
-    let (key, drawn, undriven) = match (figure.trace.first(), figure.ghosts) {
-        (Some(point), _) => ("trace", says::drawn_has_no_path(point), says::no_drive_no_path(point)),
-        (None, Some(_)) => ("ghosts", says::drawn_has_no_ghosts(), says::no_drive_no_ghosts()),
-        (None, None) => return Ok(()),
+    let (key, drawn, undriven) = match (figure.trace.first(), figure.centrodes.first(), figure.ghosts) {
+        (Some(point), ..) => ("trace", says::drawn_has_no_path(point), says::no_drive_no_path(point)),
+        (None, Some(link), _) => ("centrodes", says::drawn_has_no_centrodes(link), says::no_drive_no_centrodes(link)),
+        (None, None, Some(_)) => ("ghosts", says::drawn_has_no_ghosts(), says::no_drive_no_ghosts()),
+        (None, None, None) => return Ok(()),
     };
     if given_by == GivenBy::Drawing {
         return Err(Wrong::value(&[key], drawn).hint(says::lengths_and_drive()));

@@ -10,6 +10,7 @@ use serde::Deserialize;
 use super::choices::TimeUnit;
 use super::error::{Wrong, number};
 use super::given::{Drive, GivenBy, LinkDriveFile, LinkMotion, SliderDrive, first_given};
+use super::loads::{LinkPlace, MassFields};
 use super::name::{Bearer, check_list, check_name, checked_pair, joined, no_point};
 use super::says;
 use super::value::{NamesOr, ShapePoint, several_forms};
@@ -32,9 +33,29 @@ pub(super) struct LinkFields {
     pub angle: Option<f64>,
     /// Known motion of the link, in a drawn configuration.
     pub motion: Option<LinkMotion>,
+    /// Its mass, in the scene's unit of mass.
+    pub mass: Option<f64>,
+    /// Its weight, in the scene's unit of force, in place of its mass.
+    pub weight: Option<f64>,
+    /// Its moment of inertia about the centre of mass, in mass · length²; left out: zero.
+    pub inertia: Option<f64>,
+    /// Its centre of mass: a point, coordinates in the link's own frame (in a drawn configuration in the fixed frame), or a distance along its axis.
+    pub center: Option<LinkPlace>,
 }
 
-write_keys!(LinkFields { points, shape, lengths, drive, angle, motion });
+write_keys!(LinkFields { points, shape, lengths, drive, angle, motion, mass, weight, inertia, center });
+
+impl LinkFields {
+    /// Its keys of a mass, which are then no longer there.
+    fn take_masses(&mut self) -> MassFields {
+        MassFields {
+            mass: self.mass.take(),
+            weight: self.weight.take(),
+            inertia: self.inertia.take(),
+            center: self.center.take(),
+        }
+    }
+}
 
 /// A link in the file: a list of points, or an object.
 #[derive(Debug, Clone)]
@@ -70,29 +91,39 @@ pub struct Link {
     pub motion: Option<LinkMotion>,
 }
 
-/// Drives along a guide that are written in the sliding link, by the name of the link.
-pub(super) type Pushes = IndexMap<String, SliderDrive>;
+/// What is written in links and belongs elsewhere, by the name of the link.
+#[derive(Debug, Default)]
+pub(super) struct OfLinks {
+    /// Drives along a guide, which belong to sliders.
+    pub pushes: IndexMap<String, SliderDrive>,
+    /// Masses, which belong to loads.
+    pub masses: IndexMap<String, MassFields>,
+}
 
-/// The links, and the drives in them that belong to sliders.
+/// The links, and what is written in them and belongs elsewhere.
 pub(super) fn links(
     given_by: GivenBy,
     time: TimeUnit,
     file: IndexMap<String, LinkFile>,
-) -> Result<(IndexMap<String, Link>, Pushes), Wrong> {
+) -> Result<(IndexMap<String, Link>, OfLinks), Wrong> {
     if file.is_empty() {
         return Err(Wrong::value(&["links"], says::no_links()));
     }
     let mut links = IndexMap::with_capacity(file.len());
-    let mut pushes = Pushes::new();
-    for (name, LinkFile(fields)) in file {
+    let mut others = OfLinks::default();
+    for (name, LinkFile(mut fields)) in file {
+        let masses = fields.take_masses();
+        if !masses.is_empty() {
+            others.masses.insert(name.clone(), masses);
+        }
         let read = check_name(Bearer::Link, &name).and_then(|()| link(given_by, time, &name, fields));
         let (link, push) = read.map_err(|wrong| wrong.inside(&["links", &name]))?;
         if let Some(push) = push {
-            pushes.insert(name.clone(), push);
+            others.pushes.insert(name.clone(), push);
         }
         links.insert(name, link);
     }
-    Ok((links, pushes))
+    Ok((links, others))
 }
 
 /// A link, and the drive in it that belongs to its slider.

@@ -11,6 +11,7 @@
 //! CONTRIBUTING.md has the whole list.
 
 mod build;
+mod centers;
 mod choices;
 mod digits;
 mod error;
@@ -19,6 +20,7 @@ mod given;
 mod joint;
 mod kinds;
 mod link;
+mod loads;
 mod name;
 mod names;
 mod points;
@@ -34,9 +36,11 @@ mod value;
 mod write;
 
 pub use build::{Builder, Guide, NewLink, Push, Turn};
+pub use centers::CentersShown;
 pub use choices::{
-    ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, LengthUnit, Measure, NotationName, Page,
-    PageSize, ScalesFor, Sizes, SlidingName, StyleName, TimeUnit, TurnedName, Units, ValuesShown,
+    CenterName, ConstructionShown, CoriolisName, DecimalMark, ForceUnit, FrameName, LanguageName, LengthUnit, MassUnit,
+    Measure, NotationName, Page, PageSize, ScalesFor, Sizes, SlidingName, StyleName, TimeUnit, TurnedName, Units,
+    ValuesShown,
 };
 pub use error::{Place, SceneError};
 pub use figure::Figure;
@@ -44,6 +48,7 @@ pub use given::{Drive, GivenBy, LinkMotion, PointMotion, SliderDrive};
 pub use joint::*;
 pub use kinds::Kind;
 pub use link::{Length, Link, Shape};
+pub use loads::{Amount, Analysis, LinkPlace, Load, Loads, Mass, Spring, SpringEnd};
 pub use points::Near;
 pub use quantity_name::{Argument, Component, Head, QuantityName};
 pub(crate) use read::MOST_MARKS;

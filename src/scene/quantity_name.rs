@@ -1,7 +1,7 @@
 //! The name of a quantity taken apart, as `vplan(b,s3)/mu`: what it asks for, of which links, sliders and points, and of
 //! what kind its value is. It is read here and nowhere else; whether the scene has these links and points, `quantity` knows.
 
-use super::choices::Units;
+use super::choices::{ForceUnit, Units};
 use crate::sheet::{QuantityKind, Sheet};
 use std::fmt;
 
@@ -51,6 +51,24 @@ pub enum Head {
     Between(Sheet),
     /// The instant centre of two links.
     Center,
+    /// The inflection pole of a link.
+    InflectionPole,
+    /// The diameter of a link's inflection circle.
+    InflectionDiameter,
+    /// The pole of accelerations of a link.
+    AccelerationPole,
+    /// The radius of curvature of a point's path.
+    PathRadius,
+    /// The force on a link at a pin.
+    Reaction,
+    /// The force on a sliding link across its guide.
+    GuideForce,
+    /// The couple on a sliding link from its guide.
+    GuideCouple,
+    /// The torque of a link's drive.
+    Torque,
+    /// The force of a slider's drive.
+    Push,
 }
 
 /// What stands between a name's parentheses.
@@ -85,7 +103,7 @@ impl Component {
 
 impl Head {
     /// The heads that are not the distance of two points: the word for each, what its arguments are, and the kind of its value.
-    const KNOWN: [(Head, &'static str, Argument, QuantityKind); 14] = [
+    const KNOWN: [(Head, &'static str, Argument, QuantityKind); 23] = [
         (Head::Omega, "omega", Argument::Link, QuantityKind::AngularVelocity),
         (Head::Alpha, "alpha", Argument::Link, QuantityKind::AngularAcceleration),
         (Head::Angle, "angle", Argument::Link, QuantityKind::Angle),
@@ -100,6 +118,15 @@ impl Head {
         (Head::Normal, "a_n", Argument::Point, QuantityKind::Acceleration),
         (Head::Tangential, "a_t", Argument::Point, QuantityKind::Acceleration),
         (Head::Center, "P", Argument::Link, QuantityKind::Position),
+        (Head::InflectionPole, "W", Argument::Link, QuantityKind::Position),
+        (Head::InflectionDiameter, "d_i", Argument::Link, QuantityKind::Length),
+        (Head::AccelerationPole, "G", Argument::Link, QuantityKind::Position),
+        (Head::PathRadius, "rho", Argument::Point, QuantityKind::Length),
+        (Head::Reaction, "R", Argument::Point, QuantityKind::Force),
+        (Head::GuideForce, "N", Argument::Slider, QuantityKind::Force),
+        (Head::GuideCouple, "M", Argument::Slider, QuantityKind::Moment),
+        (Head::Torque, "T", Argument::Link, QuantityKind::Moment),
+        (Head::Push, "F", Argument::Slider, QuantityKind::Force),
     ];
 
     fn of(word: &str) -> Option<Head> {
@@ -122,10 +149,13 @@ impl Head {
         self.facts().0
     }
 
-    /// What its arguments are.
+    /// What its argument of this index is.
     #[must_use]
-    pub fn argument(self) -> Argument {
-        self.facts().1
+    pub fn argument(self, index: usize) -> Argument {
+        match (self, index) {
+            (Head::Reaction, 1) => Argument::Link,
+            _ => self.facts().1,
+        }
     }
 
     /// The kind of its value; of a vector that of its size.
@@ -138,14 +168,15 @@ impl Head {
     fn separator(self) -> Option<&'static str> {
         match self {
             Head::Velocity | Head::Acceleration | Head::Normal | Head::Tangential => Some("/"),
-            Head::Between(_) | Head::Center => Some(","),
+            Head::Between(_) | Head::Center | Head::Reaction => Some(","),
             _ => None,
         }
     }
 
     /// Its arguments, from what stands between a name's parentheses; `None` where a second point is missing.
     fn split(self, inner: &str) -> Option<Vec<&str>> {
-        let needs_two = matches!(self, Head::Normal | Head::Tangential | Head::Between(_) | Head::Center);
+        let needs_two =
+            matches!(self, Head::Normal | Head::Tangential | Head::Between(_) | Head::Center | Head::Reaction);
         match self.separator().and_then(|by| split_outside(inner, by)) {
             Some((first, second)) => Some(vec![first, second]),
             None => (!needs_two).then(|| vec![inner]),
@@ -198,7 +229,19 @@ impl QuantityName {
     /// Whether accelerations have to be known for it.
     #[must_use]
     pub fn needs_accelerations(&self) -> bool {
-        matches!(self.head.kind(), QuantityKind::Acceleration | QuantityKind::AngularAcceleration)
+        let is_of_accelerations = match self.head {
+            Head::InflectionPole | Head::InflectionDiameter | Head::AccelerationPole | Head::PathRadius => true,
+            // Forces hang on inertia.
+            _ => matches!(
+                self.head.kind(),
+                QuantityKind::Acceleration
+                    | QuantityKind::AngularAcceleration
+                    | QuantityKind::Force
+                    | QuantityKind::Moment
+            ),
+        };
+        is_of_accelerations
+            || self.arguments.iter().filter_map(|name| QuantityName::parse(name)).any(|pole| pole.needs_accelerations())
     }
 
     /// Whether it has neither a component nor `/mu` behind it.
@@ -241,13 +284,21 @@ impl QuantityName {
     /// or where it is no name.
     #[must_use]
     pub fn reworded(written: &str, other: impl Fn(Argument, &str) -> Option<String>) -> Option<String> {
+        QuantityName::reworded_by(written, &other)
+    }
+
+    fn reworded_by(written: &str, other: &dyn Fn(Argument, &str) -> Option<String>) -> Option<String> {
         let head = QuantityName::parse(written)?.head;
         let (before, rest) = written.split_once('(')?;
         let (inner, tail) = rest.rsplit_once(')')?;
         let mut is_other = false;
-        let reworded = head.split(inner)?.into_iter().map(|part| {
+        let reworded = head.split(inner)?.into_iter().enumerate().map(|(index, part)| {
             let name = part.trim();
-            let new = other(head.argument(), name);
+            // A pole, as in `L(P(2,ground),B)`, is a name itself.
+            let new = match QuantityName::parse(name) {
+                Some(_) => QuantityName::reworded_by(name, other),
+                None => other(head.argument(index), name),
+            };
             is_other |= new.is_some();
             new.map_or_else(|| part.to_owned(), |new| part.replacen(name, &new, 1))
         });
@@ -267,6 +318,7 @@ impl QuantityKind {
     #[must_use]
     pub fn unit(self, units: Units) -> String {
         let (length, time) = (units.length.as_str(), units.time.as_str());
+        let force = units.force.map_or("", ForceUnit::as_str);
         match self {
             QuantityKind::Angle => "°".to_owned(),
             QuantityKind::AngularVelocity => format!("rad/{time}"),
@@ -274,6 +326,8 @@ impl QuantityKind {
             QuantityKind::Position | QuantityKind::Length => length.to_owned(),
             QuantityKind::Velocity => format!("{length}/{time}"),
             QuantityKind::Acceleration => format!("{length}/{time}²"),
+            QuantityKind::Force => force.to_owned(),
+            QuantityKind::Moment => format!("{force} {length}"),
         }
     }
 

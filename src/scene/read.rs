@@ -4,6 +4,7 @@ use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::centers::check_centers;
 use super::choices::{FrameName, Units};
 use super::digits::Digits;
 use super::error::{SceneError, Source, Wrong};
@@ -11,6 +12,7 @@ use super::figure::{Figure, check_traced};
 use super::given::{GivenBy, PointMotion};
 use super::joint::{Slider, SliderFile, sliders};
 use super::link::{Link, LinkFile, links};
+use super::loads::{Analysis, LoadFields, LoadFile, Loads, SpringFile, loads};
 use super::names::Names;
 use super::points::{Ground, Near, check_given_once, check_motions, check_points, ground, known, near};
 use super::quantity_name::QuantityName;
@@ -46,6 +48,14 @@ pub(super) struct SceneFile {
     pub links: IndexMap<String, LinkFile>,
     /// Links that slide along straight guides, and pins that ride in slots.
     pub sliders: Option<Vec<SliderFile>>,
+    /// The acceleration of free fall, in length per time²; left out: zero.
+    pub gravity: Option<Vector>,
+    /// Forces and couples on links.
+    pub forces: Option<Vec<LoadFile>>,
+    /// Springs between links.
+    pub springs: Option<Vec<SpringFile>>,
+    /// Whether inertia counts among the loads; left out: dynamic.
+    pub analysis: Option<Analysis>,
     /// Approximate coordinates of some points, and angles of links as "angle(3)", to choose the assembly mode.
     /// The one with the least sum of squared distances from them is taken; an angle counts as its chord at a radius of the mechanism's size.
     /// A slotted lever with one point has its slider on the positive side of `through`, unless its angle stands here.
@@ -72,6 +82,10 @@ write_keys!(SceneFile {
     known,
     links,
     sliders,
+    gravity,
+    forces,
+    springs,
+    analysis,
     near,
     figure,
     want,
@@ -100,6 +114,8 @@ pub struct Scene {
     pub links: IndexMap<String, Link>,
     /// The sliders, and the pins in slots.
     pub sliders: Vec<Slider>,
+    /// Masses, forces and springs; none where the scene gives none of them.
+    pub loads: Option<Box<Loads>>,
     /// Approximate positions that choose the assembly mode; not in a drawn configuration.
     pub near: Near,
     /// What the figure shows, and how large.
@@ -306,18 +322,27 @@ fn check_form(form: Option<&IndexMap<String, f64>>) -> Result<(), Wrong> {
 /// Checks the parts of the file, in the order in which errors are reported.
 fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
     let given_by = if file.points.is_some() { GivenBy::Drawing } else { GivenBy::Lengths };
-    let (links, pushes) = links(given_by, file.units.time, file.links)?;
+    let (links, of_links) = links(given_by, file.units.time, file.links)?;
     let (ground, coordinates) = ground(given_by, file.ground, file.points)?;
     let names = Names::new(&ground, &links);
     check_points(given_by, &names, &coordinates)?;
-    let sliders = sliders(given_by, &names, &coordinates, file.sliders.unwrap_or_default(), pushes)?;
+    let sliders = sliders(given_by, &names, &coordinates, file.sliders.unwrap_or_default(), of_links.pushes)?;
     let known = known(given_by, &names, file.known)?;
     check_given_once(&names, &known, &sliders)?;
+    let fields = LoadFields {
+        analysis: file.analysis,
+        gravity: file.gravity,
+        masses: of_links.masses,
+        forces: file.forces,
+        springs: file.springs,
+    };
+    let loads = loads(given_by, &names, file.units, fields)?;
     let near = near(given_by, &names, file.near)?;
     check_motions(&names)?;
     let figure = file.figure.unwrap_or_default();
     figure.check().and_then(|()| check_frame(&links, &figure)).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_traced(given_by, &names, &sliders, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
+    check_centers(&names, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_form(file.form.as_ref())?;
     if let Some(hints) = file.hints.filter(|hints| *hints > MOST_HINTS) {
         return Err(Wrong::value(&["hints"], says::no_hints(hints)).hint(says::hints_from_0(MOST_HINTS)));
@@ -331,6 +356,7 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
         known,
         links,
         sliders,
+        loads,
         near,
         figure,
         want: file.want,

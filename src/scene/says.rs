@@ -132,6 +132,7 @@ messages! { "scene":
     called_note(what);
     called_ground;
     point_twice(point);
+    link_twice(link);
     point_twice_in_link(point, link);
     link_named(link);
     point_named(point);
@@ -249,6 +250,34 @@ messages! { "scene":
     add_link_or_pin(point);
     slides_on_itself(link);
 
+    // Masses and loads.
+    mass_and_weight(link);
+    without_mass(link, key);
+    no_unit_of_mass(link);
+    add_unit_of_mass;
+    weight_without_gravity(link);
+    add_gravity;
+    no_center_of_mass(link);
+    add_center;
+    below_zero(key, value);
+    no_unit_of_force;
+    add_unit_of_force;
+    distance_is_drawn(link);
+    place_as_drawn;
+    neither_force_nor_couple;
+    force_nowhere;
+    add_at_of_force;
+    couple_turns;
+    turns_is_drawn;
+    spring_within_link;
+    spring_between_links;
+    no_point_of_ground(point);
+    distance_on_ground;
+    load_name(name);
+    load_name_twice(name);
+    other_load_name;
+    spring_ends(count);
+
     // The figure.
     scale_is(key, what);
     scale_too_large(scale, most);
@@ -263,14 +292,20 @@ messages! { "scene":
     other_frame;
     ghosts_between(least, most, count);
     drawn_has_no_path(point);
+    drawn_has_no_centrodes(link);
     drawn_has_no_ghosts;
     lengths_and_drive;
     no_drive_no_path(point);
+    no_drive_no_centrodes(link);
     no_drive_no_ghosts;
     give_drive;
     moving_points(all);
     ground_has_no_path(point);
     name_of_construction(name);
+    no_center(name);
+    name_center;
+    center_twice(name);
+    ground_is_at_rest(point);
 
     // How large a scene may be.
     a_scene;
@@ -289,6 +324,9 @@ messages! { "scene":
     expects_direction;
     expects_vector;
     expects_link;
+    expects_link_place;
+    expects_load;
+    expects_spring;
     expects_a_link;
     expects_ground;
     expects_drive;
@@ -298,6 +336,7 @@ messages! { "scene":
     expects_slider;
     expects_scene;
     expects_figure;
+    expects_centers;
     expects_units;
     expects_truth_or_paper;
     expects_truth_or_unit;

@@ -114,9 +114,9 @@ struct SizeAngle {
 }
 
 /// Reads a string, a number or a vector; `from` makes a `T` of the forms that are allowed.
-struct OneOf<T> {
-    expecting: &'static str,
-    from: fn(Direction) -> Option<T>,
+pub(super) struct OneOf<T> {
+    pub expecting: &'static str,
+    pub from: fn(Direction) -> Option<T>,
 }
 
 impl<'de, T> Visitor<'de> for OneOf<T> {

@@ -3,7 +3,7 @@
 
 use super::samples::{mean, unwrap};
 use super::task::{Outcome, Status, Summary, Task, Wanted};
-use crate::cycle::{Curves, CycleError, Extreme, Path, Steps, Sweep};
+use crate::cycle::{CertainExtreme, Curves, CycleError, Extreme, Path, Steps, Sweep};
 use crate::geometry::with_turns;
 use crate::mechanism::{Mechanism, StructureError, mechanism};
 use crate::position::{AssemblyError, Pose, counted_poses, pose, with_nearest_sides};
@@ -83,11 +83,7 @@ pub(super) fn follow_alone(task: &Task, scene: Option<&Scene>, mechanism: &Mecha
     let mut outcome = none(if whole { Status::Whole } else { Status::Part });
     outcome.reach = Some(reach(&path, [low, high]));
     for (wanted, summary) in task.wanted.iter().zip(&mut outcome.summaries) {
-        *summary = summarised(&path, task, wanted);
-        if let Some(scene) = scene {
-            let at_scene = summary.at_scene.map(|value| [path.start(), value]);
-            summary.errors = [summary.max, summary.min, at_scene].map(|found| error(&path, scene, wanted, found?));
-        }
+        *summary = summarised(&path, task, wanted, scene);
     }
     outcome
 }
@@ -100,9 +96,12 @@ fn reach(path: &Path, [low, high]: [f64; 2]) -> [f64; 2] {
     [below.max(low), above.min(high)]
 }
 
-fn summarised(path: &Path, task: &Task, wanted: &Wanted) -> Summary {
+fn summarised(path: &Path, task: &Task, wanted: &Wanted, scene: Option<&Scene>) -> Summary {
     let names = [wanted.name.clone()];
     let mut summary = Summary { at_scene: sampled(path, None, wanted).first().copied(), ..Summary::default() };
+    if let (Some(scene), Some(value)) = (scene, summary.at_scene) {
+        summary.errors[2] = error_at(path, scene, wanted, [path.start(), value]);
+    }
     let range = &task.range;
     if let Ok(curves) = Curves::new(path, [range.from, range.to], Some(&names))
         && let Some(curve) = curves.curves.first()
@@ -111,6 +110,13 @@ fn summarised(path: &Path, task: &Task, wanted: &Wanted) -> Summary {
             |greatest: bool| curve.extremes.iter().find(|e| e.greatest == greatest).map(|e: &Extreme| [e.at, e.value]);
         let constant = curve.constant.map(|value| [curves.range[0], value]);
         (summary.max, summary.min) = (constant.or_else(|| found(true)), constant.or_else(|| found(false)));
+        if let Some(scene) = scene {
+            let certain = curves.certain_extremes(scene, curve);
+            // A constant has one error at all positions.
+            let error = |e: CertainExtreme| (e.is_proved || curve.constant.is_some()).then_some(e.error);
+            let [min, max] = certain.map(|found| found.and_then(error).filter(|error| error.is_finite()));
+            (summary.errors[0], summary.errors[1]) = (max, min);
+        }
         // What grows without bound has no mean that samples could tell.
         if wanted.has_mean() && summary.max.is_some() && summary.min.is_some() {
             summary.mean = mean(&sampled(path, Some(range.steps), wanted));
@@ -120,7 +126,7 @@ fn summarised(path: &Path, task: &Task, wanted: &Wanted) -> Summary {
 }
 
 /// The bound of the error of a value that a quantity has at a value of the drive; `None` where it has none.
-fn error(path: &Path, scene: &Scene, wanted: &Wanted, [at, value]: [f64; 2]) -> Option<f64> {
+fn error_at(path: &Path, scene: &Scene, wanted: &Wanted, [at, value]: [f64; 2]) -> Option<f64> {
     // The size of a vector.
     let name = if wanted.asked.is_vector() { format!("{}.size", wanted.name) } else { wanted.name.clone() };
     let sweep = Sweep::new(path, Steps::new(at, at, 1.0).ok()?, Some(&[name])).ok()?.with_errors(scene);

@@ -91,6 +91,23 @@ only_roughly = , nur grob
 direction = Richtung {$degrees}°
 angle_of_crossing = Schnittwinkel {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Die bleibenden Pole markieren: {$centers}.
+center_in = {$center} in {$point}
+center_normal_to = {$center} im Unendlichen, normal zur Führung von {$guide}
+center_line = {$first} und {$second} verbinden; {$center} liegt auf dieser Geraden.
+center_line_towards = Durch {$first} die Gerade zu {$second} im Unendlichen ziehen; {$center} liegt auf ihr.
+center_cross = {$center} auf {$first} und {$second} markieren.
+center_parallel = {$center} liegt im Unendlichen: {$first} und {$second} sind parallel.
+center_along = {$center} liegt im Unendlichen in Richtung von {$line}: die andere Gerade ist die unendlich ferne.
+leave_out = Glied {$link} weglassen und {$first} mit {$second} starr verbinden: der Pol liegt dann in {$center}.
+centers_by_rates = Keine Geraden führen zu {$centers}: aus den berechneten Geschwindigkeiten.
+rate_by_centers = {$rate} berechnen: in {$center} haben die Glieder {$driver} und {$link} dieselbe Geschwindigkeit.
+velocity_by_centers = {$vector} normal zum Polstrahl {$from} {$point} antragen.
+velocity_of_center = {$vector} antragen, die von {$center}: Glied {$link} dreht sich nicht.
+centers_differ = Die Pole aus diesen Geraden und aus der berechneten Bewegung unterscheiden sich um {$difference} der Größe des Getriebes; die Schnitte erlauben {$allowed}.
+
 # The figure.
 
 title = Geschwindigkeits- und Beschleunigungsplan
@@ -99,6 +116,7 @@ velocity_plan = Geschwindigkeitsplan
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, um {$angle}° gedreht
 acceleration_plan = Beschleunigungsplan
+centers = Momentanpole
 far_away = {$point}: {$distance} von {$from}
 far_in_plan = bis {$point}: {$distance}
 cut_at_edge = am Rand abgeschnitten
@@ -110,6 +128,10 @@ paths_in_time = Marken auf der Bahn von {$points}: alle {$step} des Antriebs {$d
 path_of = Bahn von {$point} in {$unit}
 mode = Lage {$number}
 modes_left_out = Von den anderen Einbaulagen sind nur die ersten {$count} gezeichnet.
+centrodes = Polbahnen von Glied {$links}, nahe am Mechanismus: Rastpolbahn ausgezogen, Gangpolbahn gestrichelt.
+no_centrodes = Glied {$links} dreht sich um einen festen Punkt oder gar nicht: es hat keine Polbahnen.
+inflection_circle = Wendekreis von Glied {$link}: Durchmesser {$diameter}, durch Momentanpol P und Wendepol W.
+no_inflection_circle = Glied {$link} dreht sich nicht: es hat keinen Wendekreis.
 paths_beyond = Gestrichelt: jenseits der Grenzen des Antriebs.
 agreement = Konstruktion und Schleifengleichungen stimmen überein: Abweichung {$difference} des größten (Schnitte lassen {$allowed} zu).
 one_route_far = Ein Sonderpunkt liegt im Unendlichen: Die Werte stammen allein aus den Schleifengleichungen.
@@ -127,9 +149,11 @@ description = Felder: {$panels}. Assur-Gruppen: {$groups}.
 named_scheme = Lageplan
 named_velocity_plan = Geschwindigkeitsplan
 named_acceleration_plan = Beschleunigungsplan
+named_centers = Momentanpole
 described_scheme = der Mechanismus im Maßstab
 described_velocity_plan = sein Geschwindigkeitsplan
 described_acceleration_plan = sein Beschleunigungsplan
+described_centers = seine Momentanpole
 described_group = Klasse {$class}, Glieder {$links}
 higher = über IV
 
@@ -144,6 +168,8 @@ position = Position
 length = Länge
 velocity = Geschwindigkeit
 acceleration = Beschleunigung
+force = Kraft
+moment = Moment
 in_unit = {$kind} in {$unit}
 drive_angle = Antriebswinkel {$symbol} in °
 drive_position = Position des Antriebs {$drive} in {$unit}
@@ -610,6 +636,7 @@ scene-sign_in_name = {$what} hat den Namen `{$name}`, und der enthält `{$sign}`
 scene-called_note = {$what} kann nicht `note` heißen: dieser Schlüssel ist für Notizen da
 scene-called_ground = ein Glied kann nicht `ground` heißen: das ist das Gestell
 scene-point_twice = Punkt {$point} steht doppelt
+scene-link_twice = Glied {$link} steht doppelt
 scene-point_twice_in_link = Punkt {$point} steht doppelt in Glied {$link}
 scene-link_named = Glied {$link}
 scene-point_named = Punkt {$point}
@@ -729,6 +756,35 @@ scene-add_at = ergänzen Sie "at", den Punkt von Glied {$link}, der auf der Füh
 scene-add_link_or_pin = ergänzen Sie "link", das gleitende Glied; oder schreiben Sie "pin": "{$point}" für einen Bolzen in einem Schlitz
 scene-slides_on_itself = Glied {$link} kann nicht auf sich selbst gleiten
 
+# Masses and loads.
+
+scene-mass_and_weight = Glied {$link} hat eine Masse und ein Gewicht
+scene-without_mass = Glied {$link} hat `{$key}`, aber keine Masse
+scene-no_unit_of_mass = Glied {$link} hat eine Masse, aber die Szene hat keine Masseneinheit
+scene-add_unit_of_mass = ergänzen Sie `"mass": "kg"` in `units`
+scene-weight_without_gravity = Glied {$link} hat ein Gewicht, aber die Szene keine Schwerkraft, so dass seine Masse nicht bekannt ist
+scene-add_gravity = ergänzen Sie `"gravity": [0, -9810]` (in mm und s), oder geben Sie eine Masse an
+scene-no_center_of_mass = Glied {$link} hat eine Masse, aber keinen Schwerpunkt
+scene-add_center = ergänzen Sie `"center"`: einen Punkt wie "C", Koordinaten [x, y] im System des Glieds, oder einen Abstand entlang seiner Achse
+scene-below_zero = `{$key}` ist {$value}, kleiner als null
+scene-no_unit_of_force = es gibt Lasten, aber die Szene hat keine Krafteinheit
+scene-add_unit_of_force = ergänzen Sie `"force": "N"` in `units`
+scene-distance_is_drawn = ein Abstand entlang der Achse von Glied {$link}, aber diese Szene ist eine gezeichnete Stellung
+scene-place_as_drawn = geben Sie die Koordinaten [x, y] an, wie sie gezeichnet sind
+scene-neither_force_nor_couple = eine Last ist eine Kraft, ein Moment, oder beides
+scene-force_nowhere = eine Kraft greift an einer Stelle an
+scene-add_at_of_force = ergänzen Sie `"at"`: einen Punkt wie "C", Koordinaten [x, y] im System des Glieds, oder einen Abstand entlang seiner Achse
+scene-couple_turns = ein Moment ist dasselbe, ob es sich mitdreht oder nicht
+scene-turns_is_drawn = in einer gezeichneten Stellung ist eine Kraft, wie sie gezeichnet ist
+scene-spring_within_link = beide Enden der Feder sind an einem Körper, sie zieht also an nichts
+scene-spring_between_links = nennen Sie zwei Körper, wie [["3", "C"], ["ground", "A"]]
+scene-no_point_of_ground = das Gestell hat keinen Punkt {$point}
+scene-distance_on_ground = das Gestell hat keine Achse; geben Sie einen Punkt oder Koordinaten [x, y] an
+scene-load_name = `{$name}` kann nicht der Name einer Last sein: ein Name ist nicht leer und hat kein ( ) und kein Komma
+scene-load_name_twice = zwei Lasten haben den Namen {$name}
+scene-other_load_name = wählen Sie einen anderen Namen für die Last
+scene-spring_ends = eine Feder hat zwei Enden, nicht {$count}
+
 # The figure.
 
 scene-scale_is = `{$key}` ist {$what}
@@ -744,14 +800,20 @@ scene-frame_is_link = so heißt schon das Glied {$link}
 scene-other_frame = geben Sie dem Gestell die andere Nummer oder in `labels` einen eigenen Text: {"{"} "ground": "…" {"}"}
 scene-ghosts_between = die Anzahl der blassen Stellungen geht von {$least} bis {$most}, nicht {$count}
 scene-drawn_has_no_path = eine gezeichnete Stellung lässt sich nicht bewegen, also hat Punkt {$point} keine Bahn
+scene-drawn_has_no_centrodes = eine gezeichnete Stellung lässt sich nicht bewegen, also hat Glied {$link} keine Polbahnen
 scene-drawn_has_no_ghosts = eine gezeichnete Stellung lässt sich nicht bewegen, also gibt es keine anderen Stellungen zu zeichnen
 scene-lengths_and_drive = eine Szene mit `lengths` oder `shape` und einem Antrieb mit seinem `angle` oder `position`
 scene-no_drive_no_path = kein Antrieb bewegt den Mechanismus, also hat Punkt {$point} keine Bahn
+scene-no_drive_no_centrodes = kein Antrieb bewegt den Mechanismus, also hat Glied {$link} keine Polbahnen
 scene-no_drive_no_ghosts = kein Antrieb bewegt den Mechanismus, also gibt es keine anderen Stellungen zu zeichnen
 scene-give_drive = geben Sie einem Glied ein "drive"
 scene-moving_points = bewegte Punkte sind {$all}
 scene-ground_has_no_path = Punkt {$point} gehört zum Gestell und hat keine Bahn
 scene-name_of_construction = {$name} ist ein Name der Konstruktion und kein Punkt eines Gliedes
+scene-no_center = "{$name}" benennt keinen Momentanpol
+scene-name_center = ein Pol heißt nach zwei Gliedern, wie P(1,3), oder P(2,ground) mit dem Gestell
+scene-center_twice = der Pol {$name} steht zweimal da
+scene-ground_is_at_rest = Punkt {$point} gehört zum Gestell und bewegt sich nicht
 
 # How large a scene may be.
 
@@ -772,6 +834,9 @@ scene-expects_point_or_place = der Name eines Punktes in doppelten Anführungsze
 scene-expects_direction = zwei Punkte wie "BE", oder eine Zahl in Grad, oder [dx, dy]
 scene-expects_vector = ein Vektor wie {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = ein Glied wie {"{"} "points": ["A", "B"], … {"}"}, oder eine Liste seiner Punkte ["A", "B"]
+scene-expects_link_place = den Namen eines Punkts in doppelten Anführungszeichen, seine Koordinaten [x, y], oder einen Abstand entlang der Achse des Glieds
+scene-expects_load = eine Last wie {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
+scene-expects_spring = eine Feder wie {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = ein Glied
 scene-expects_ground = die Gestellpunkte wie {"{"} "A": [x, y], … {"}"}, oder ihre Namen wie ["A", …]
 scene-expects_drive = ein Antrieb wie {"{"} "angle": 70, "omega": -1 {"}"}
@@ -781,6 +846,7 @@ scene-expects_link_motion = eine Bewegung wie {"{"} "at": "B", "velocity": [x, y
 scene-expects_slider = ein Schieber wie {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = eine Szene wie {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = ein Bild wie {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", oder Pole wie ["P(2,ground)", "P(1,3)"]
 scene-expects_units = Einheiten wie {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false oder "paper"
 scene-expects_truth_or_unit = true, false oder eine Längeneinheit
@@ -918,7 +984,7 @@ accuracy-at_change = Verzweigungslage bei {$place}: Glieder {$links} könnten au
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` ist keine Größe; bekannte Formen: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3); Vektoren auch mit .x .y .size .angle, Strecken der Pläne mit /mu
+quantity-no_quantity = `{$name}` ist keine Größe; bekannte Formen: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D); Vektoren auch mit .x .y .size .angle, Strecken der Pläne mit /mu
 quantity-no_link = `{$quantity}`: es gibt hier kein Glied `{$name}`
 quantity-no_slider = `{$quantity}`: es gibt hier keinen Schieber `{$name}`
 quantity-no_point = `{$quantity}`: es gibt hier keinen Punkt `{$name}`
@@ -936,6 +1002,16 @@ quantity-no_construction = es gibt keine Konstruktion
 quantity-at_infinity = der Sonderpunkt liegt im Unendlichen
 quantity-not_on_one_link = die beiden Punkte gehören nicht zu einem Glied
 quantity-no_plan = es gibt keinen solchen Plan
+quantity-centre_at_infinity = der Momentanpol liegt im Unendlichen und hat nur eine Richtung: `.angle`
+quantity-centre_at_place = der Momentanpol liegt an einem Ort: `.x`, `.y`
+quantity-rest_on_another = die Glieder ruhen gegeneinander
+quantity-link_turns_not = das Glied dreht sich nicht
+quantity-path_is_straight = die Bahn ist dort gerade, oder der Punkt ruht
+quantity-place_has_no_size = `{$name}` ist ein Ort und hat keinen Betrag; fragen Sie nach `.x` oder `.y`
+quantity-no_loads = die Szene hat keine Massen, Kräfte oder Federn
+quantity-not_driven = es ist nicht angetrieben
+quantity-not_at_pin = dieses Glied hat kein Gelenk an diesem Bolzen
+quantity-no_forces = seine Lasten liegen außerhalb des Zahlenbereichs, oder die Stellung ist singulär
 quantity-nowhere_in_range = in keiner Stellung des Bereichs
 quantity-no_scale_in_table = eine Tabelle hat keinen Maßstab
 
@@ -1021,6 +1097,7 @@ editing-held_try = ziehen Sie das Gelenk an einen anderen Ort
 drawing-scheme = der Lageplan
 drawing-velocity_plan = der Geschwindigkeitsplan
 drawing-acceleration_plan = der Beschleunigungsplan
+drawing-centers = die Figur der Momentanpole
 drawing-overflow = {$panel} passt bei {$key} = {$given} nicht in sein Feld und ist dort abgeschnitten; {$fitting} passt, oder ein größeres Blatt
 drawing-no_scale = keiner
 drawing-cost_of_list = die Maßstäbe lassen Platz für die Ergebnisliste: {$scales}
@@ -1090,6 +1167,8 @@ check-position = eine Position
 check-length = eine Länge
 check-velocity = eine Geschwindigkeit
 check-acceleration = eine Beschleunigung
+check-force = eine Kraft
+check-moment = ein Moment
 
 # Tables.
 
@@ -2135,6 +2214,12 @@ page-sheets-acceleration_panel = Beschleunigungsplan
 page-sheets-acceleration_name = Beschleunigungsplan
 page-sheets-acceleration_title = Beschleunigungsplan
 page-sheets-acceleration_from = Aus dem Beschleunigungsplan
+page-sheets-centers_short = Pole
+page-sheets-centers_scaled = Pole
+page-sheets-centers_panel = Momentanpole
+page-sheets-centers_name = Figur der Momentanpole
+page-sheets-centers_title = Momentanpole
+page-sheets-centers_from = Aus den Polen
 
 
 ## The workbench: refused

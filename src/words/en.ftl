@@ -97,6 +97,23 @@ only_roughly = , only roughly
 direction = direction {$degrees}°
 angle_of_crossing = angle of crossing {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Mark the permanent centres: {$centers}.
+center_in = {$center} in {$point}
+center_normal_to = {$center} at infinity, normal to the guide of {$guide}
+center_line = Join {$first} and {$second}; {$center} lies on this line.
+center_line_towards = Through {$first} draw the line towards {$second}, at infinity; {$center} lies on it.
+center_cross = Mark {$center} on {$first} and {$second}.
+center_parallel = {$center} is at infinity: {$first} and {$second} are parallel.
+center_along = {$center} is at infinity along {$line}: the other line is that at infinity.
+leave_out = Leave link {$link} out and glue {$first} and {$second} together: the centre is then at {$center}.
+centers_by_rates = No lines lead to {$centers}: from the computed rates.
+rate_by_centers = Compute {$rate}: in {$center} links {$driver} and {$link} have one velocity.
+velocity_by_centers = Lay off {$vector}, normal to the ray {$from} {$point}.
+velocity_of_center = Lay off {$vector}, that of {$center}: link {$link} does not turn.
+centers_differ = The centres from these lines and from the computed motion differ by {$difference} of the mechanism's size; the crossings allow {$allowed}.
+
 # The figure.
 
 # Title of a figure whose scene has none.
@@ -106,6 +123,7 @@ velocity_plan = Velocity plan
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, turned by {$angle}°
 acceleration_plan = Acceleration plan
+centers = Instant centres
 # A special point that lies off the sheet.
 far_away = {$point}: {$distance} from {$from}
 # At the line to an image that lies off the panel.
@@ -123,6 +141,10 @@ path_of = Path of {$point} in {$unit}
 mode = mode {$number}
 modes_left_out = Of the other assembly modes only the first {$count} are drawn.
 # What is drawn of a path on other branches of the motion.
+centrodes = Centrodes of link {$links}, near the mechanism: full in the frame, dashed in the link.
+no_centrodes = Link {$links} turns about a fixed point or does not turn: it has no centrodes.
+inflection_circle = Inflection circle of link {$link}: diameter {$diameter}, through instant centre P and inflection pole W.
+no_inflection_circle = Link {$link} does not turn: it has no inflection circle.
 paths_beyond = Dashed: beyond the limits of the drive.
 agreement = Construction and loop equations agree: rates differ by {$difference} of the largest (crossings allow {$allowed}).
 one_route_far = A special point lies at infinity: rates are from the loop equations alone.
@@ -141,9 +163,11 @@ description = Panels: {$panels}. Assur groups: {$groups}.
 named_scheme = scheme
 named_velocity_plan = velocity plan
 named_acceleration_plan = acceleration plan
+named_centers = instant centres
 described_scheme = the mechanism to scale
 described_velocity_plan = its velocity plan
 described_acceleration_plan = its acceleration plan
+described_centers = its instant centres
 described_group = class {$class}, links {$links}
 # The class of a group above class IV.
 higher = higher
@@ -161,6 +185,8 @@ position = Position
 length = Length
 velocity = Velocity
 acceleration = Acceleration
+force = Force
+moment = Moment
 in_unit = {$kind} in {$unit}
 drive_angle = Angle {$symbol} of the drive in °
 drive_position = Position of drive {$drive} in {$unit}
@@ -639,6 +665,7 @@ scene-sign_in_name = the name `{$name}` of {$what} contains `{$sign}`
 scene-called_note = {$what} cannot be called `note`: that key is for notes
 scene-called_ground = a link cannot be called `ground`: that is the frame
 scene-point_twice = point {$point} stands twice
+scene-link_twice = link {$link} stands twice
 scene-point_twice_in_link = point {$point} stands twice in link {$link}
 scene-link_named = link {$link}
 scene-point_named = point {$point}
@@ -759,6 +786,35 @@ scene-add_at = add "at", the point of link {$link} that is on the guide
 scene-add_link_or_pin = add "link", the sliding link; or write "pin": "{$point}" for a pin in a slot
 scene-slides_on_itself = link {$link} cannot slide on itself
 
+# Masses and loads.
+
+scene-mass_and_weight = link {$link} has a mass and a weight
+scene-without_mass = link {$link} has `{$key}`, but no mass
+scene-no_unit_of_mass = link {$link} has a mass, but the scene has no unit of mass
+scene-add_unit_of_mass = add `"mass": "kg"` to `units`
+scene-weight_without_gravity = link {$link} has a weight, but the scene has no gravity, so its mass is not known
+scene-add_gravity = add `"gravity": [0, -9810]` (in mm and s), or give a mass
+scene-no_center_of_mass = link {$link} has a mass, but no centre of mass
+scene-add_center = add `"center"`: a point as "C", coordinates [x, y] in the frame of the link, or a distance along its axis
+scene-below_zero = `{$key}` is {$value}, below zero
+scene-no_unit_of_force = there are loads, but the scene has no unit of force
+scene-add_unit_of_force = add `"force": "N"` to `units`
+scene-distance_is_drawn = a distance along the axis of link {$link}, but this scene is a drawn configuration
+scene-place_as_drawn = give the coordinates [x, y] as drawn
+scene-neither_force_nor_couple = a load is a force, a couple, or both
+scene-force_nowhere = a force acts at a place
+scene-add_at_of_force = add `"at"`: a point as "C", coordinates [x, y] in the frame of the link, or a distance along its axis
+scene-couple_turns = a couple is the same whether it turns or not
+scene-turns_is_drawn = in a drawn configuration a force is as it is drawn
+scene-spring_within_link = both ends of the spring are on one body, so it pulls nothing
+scene-spring_between_links = name two bodies, as [["3", "C"], ["ground", "A"]]
+scene-no_point_of_ground = the ground has no point {$point}
+scene-distance_on_ground = the ground has no axis; give a point or coordinates [x, y]
+scene-load_name = `{$name}` cannot be the name of a load: a name is not empty and has no ( ) or comma
+scene-load_name_twice = two loads have the name {$name}
+scene-other_load_name = choose another name for the load
+scene-spring_ends = a spring has two ends, not {$count}
+
 # The figure.
 
 scene-scale_is = `{$key}` is {$what}
@@ -774,14 +830,20 @@ scene-frame_is_link = link {$link} has this name
 scene-other_frame = give the frame the other number, or a text of your own in `labels`: {"{"} "ground": "…" {"}"}
 scene-ghosts_between = the number of ghosts is from {$least} to {$most}, not {$count}
 scene-drawn_has_no_path = a drawn configuration cannot be moved, so point {$point} has no path
+scene-drawn_has_no_centrodes = a drawn configuration cannot be moved, so link {$link} has no centrodes
 scene-drawn_has_no_ghosts = a drawn configuration cannot be moved, so there are no other positions to draw
 scene-lengths_and_drive = a scene with `lengths` or `shape` and a drive with its `angle` or `position`
 scene-no_drive_no_path = there is no drive to move the mechanism, so point {$point} has no path
+scene-no_drive_no_centrodes = there is no drive to move the mechanism, so link {$link} has no centrodes
 scene-no_drive_no_ghosts = there is no drive to move the mechanism, so there are no other positions to draw
 scene-give_drive = give a link a "drive"
 scene-moving_points = points that move are {$all}
 scene-ground_has_no_path = point {$point} is on the ground and has no path
 scene-name_of_construction = {$name} is a name of the construction, and no point of a link
+scene-no_center = "{$name}" names no instant centre
+scene-name_center = a centre is named by two links, as P(1,3), or P(2,ground) with the frame
+scene-center_twice = the centre {$name} stands twice
+scene-ground_is_at_rest = point {$point} is on the ground and does not move
 
 # How large a scene may be.
 
@@ -802,6 +864,9 @@ scene-expects_point_or_place = the name of a point in double quotes, or its coor
 scene-expects_direction = two points as "BE", or a number of degrees, or [dx, dy]
 scene-expects_vector = a vector as {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = a link as {"{"} "points": ["A", "B"], … {"}"}, or a list of its points ["A", "B"]
+scene-expects_link_place = the name of a point in double quotes, its coordinates [x, y], or a distance along the link's axis
+scene-expects_load = a load as {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
+scene-expects_spring = a spring as {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = a link
 scene-expects_ground = the frame's points as {"{"} "A": [x, y], … {"}"}, or their names as ["A", …]
 scene-expects_drive = a drive as {"{"} "angle": 70, "omega": -1 {"}"}
@@ -811,6 +876,7 @@ scene-expects_link_motion = a motion as {"{"} "at": "B", "velocity": [x, y], "om
 scene-expects_slider = a slider as {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = a scene as {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = a figure as {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", or centres as ["P(2,ground)", "P(1,3)"]
 scene-expects_units = units as {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false or "paper"
 scene-expects_truth_or_unit = true, false or a unit of length
@@ -951,7 +1017,7 @@ accuracy-at_change = change point at {$place}: links {$links} could go on in ano
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` is no quantity; known forms: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3); vectors also with .x .y .size .angle, plan segments with /mu
+quantity-no_quantity = `{$name}` is no quantity; known forms: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D); vectors also with .x .y .size .angle, plan segments with /mu
 quantity-no_link = `{$quantity}`: there is no link `{$name}` here
 quantity-no_slider = `{$quantity}`: there is no slider `{$name}` here
 quantity-no_point = `{$quantity}`: there is no point `{$name}` here
@@ -969,6 +1035,16 @@ quantity-no_construction = there is no construction
 quantity-at_infinity = the special point lies at infinity
 quantity-not_on_one_link = the two points are not on one link
 quantity-no_plan = there is no such plan
+quantity-centre_at_infinity = the centre lies at infinity, and has a direction alone: `.angle`
+quantity-centre_at_place = the centre lies at a place: `.x`, `.y`
+quantity-rest_on_another = the links rest on one another
+quantity-link_turns_not = the link does not turn
+quantity-path_is_straight = the path is straight there, or the point is at rest
+quantity-place_has_no_size = `{$name}` is a place, which has no size; ask for its `.x` or `.y`
+quantity-no_loads = the scene has no masses, forces or springs
+quantity-not_driven = it is not driven
+quantity-not_at_pin = that link has no joint at that pin
+quantity-no_forces = its loads leave the range of numbers, or the position is singular
 quantity-nowhere_in_range = it has none at any position of the range
 quantity-no_scale_in_table = a table has no scale
 
@@ -1054,6 +1130,7 @@ editing-held_try = pull the joint to another place
 drawing-scheme = scheme
 drawing-velocity_plan = velocity plan
 drawing-acceleration_plan = acceleration plan
+drawing-centers = figure of instant centres
 drawing-overflow = the {$panel} does not fit into its panel at {$key} = {$given} and is cut off there; {$fitting} fits, or a larger sheet
 drawing-no_scale = none
 drawing-cost_of_list = scales leave room for the list of results: {$scales}
@@ -1123,6 +1200,8 @@ check-position = a position
 check-length = a length
 check-velocity = a velocity
 check-acceleration = an acceleration
+check-force = a force
+check-moment = a moment
 
 # Tables.
 
@@ -2168,6 +2247,12 @@ page-sheets-acceleration_panel = Acceleration plan
 page-sheets-acceleration_name = acceleration plan
 page-sheets-acceleration_title = Acceleration plan
 page-sheets-acceleration_from = From the acceleration plan
+page-sheets-centers_short = Centres
+page-sheets-centers_scaled = Centres
+page-sheets-centers_panel = Instant centres
+page-sheets-centers_name = figure of instant centres
+page-sheets-centers_title = Instant centres
+page-sheets-centers_from = From the centres
 
 
 ## The workbench: refused

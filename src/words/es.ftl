@@ -89,6 +89,23 @@ only_roughly = , solo aproximadamente
 direction = dirección {$degrees}°
 angle_of_crossing = ángulo de corte {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Marcar los centros permanentes: {$centers}.
+center_in = {$center} en {$point}
+center_normal_to = {$center} en el infinito, normal a la guía de {$guide}
+center_line = Unir {$first} y {$second}; {$center} está sobre esta recta.
+center_line_towards = Trazar por {$first} la recta hacia {$second}, en el infinito; {$center} está sobre ella.
+center_cross = Marcar {$center} en {$first} y {$second}.
+center_parallel = {$center} está en el infinito: {$first} y {$second} son paralelas.
+center_along = {$center} está en el infinito según {$line}: la otra recta es la del infinito.
+leave_out = Quitar el eslabón {$link} y unir rígidamente {$first} y {$second}: el centro está entonces en {$center}.
+centers_by_rates = Ninguna recta lleva a {$centers}: de las velocidades calculadas.
+rate_by_centers = Calcular {$rate}: en {$center} los eslabones {$driver} y {$link} tienen la misma velocidad.
+velocity_by_centers = Trazar {$vector}, normal al radio {$from} {$point}.
+velocity_of_center = Trazar {$vector}, la de {$center}: el eslabón {$link} no gira.
+centers_differ = Los centros por estas rectas y los del movimiento calculado difieren en {$difference} del tamaño del mecanismo; los cortes permiten {$allowed}.
+
 # The figure.
 
 title = Planos de velocidades y aceleraciones
@@ -97,6 +114,7 @@ velocity_plan = Plano de velocidades
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, girado {$angle}°
 acceleration_plan = Plano de aceleraciones
+centers = Centros instantáneos
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = hasta {$point}: {$distance}
 cut_at_edge = recortado en el borde
@@ -108,6 +126,10 @@ paths_in_time = Marcas en la trayectoria de {$points}: cada {$step} de la pieza 
 path_of = Trayectoria de {$point} en {$unit}
 mode = modo {$number}
 modes_left_out = De los otros modos de montaje solo se dibujan los primeros {$count}.
+centrodes = Polodias del eslabón {$links}, cerca del mecanismo: la fija en trazo continuo, la móvil a trazos.
+no_centrodes = El eslabón {$links} gira alrededor de un punto fijo o no gira: no tiene polodias.
+inflection_circle = Circunferencia de inflexiones del eslabón {$link}: diámetro {$diameter}, por el centro instantáneo P y el polo de inflexión W.
+no_inflection_circle = El eslabón {$link} no gira: no tiene circunferencia de inflexiones.
 paths_beyond = A trazos: más allá de los límites del movimiento motriz.
 agreement = Construcción y ecuaciones de lazo concuerdan: difieren en {$difference} del mayor valor (los cortes admiten {$allowed}).
 one_route_far = Un punto especial está en el infinito: los valores son solo de las ecuaciones de lazo.
@@ -125,9 +147,11 @@ description = Contiene: {$panels}. Grupos de Assur: {$groups}.
 named_scheme = esquema
 named_velocity_plan = plano de velocidades
 named_acceleration_plan = plano de aceleraciones
+named_centers = centros instantáneos
 described_scheme = el mecanismo a escala
 described_velocity_plan = su plano de velocidades
 described_acceleration_plan = su plano de aceleraciones
+described_centers = sus centros instantáneos
 described_group = clase {$class}, eslabones {$links}
 higher = superior
 
@@ -142,6 +166,8 @@ position = Posición
 length = Longitud
 velocity = Velocidad
 acceleration = Aceleración
+force = Fuerza
+moment = Momento
 in_unit = {$kind} en {$unit}
 drive_angle = Ángulo {$symbol} del accionamiento en °
 drive_position = Posición del accionamiento {$drive} en {$unit}
@@ -608,6 +634,7 @@ scene-sign_in_name = el nombre `{$name}` de {$what} contiene `{$sign}`
 scene-called_note = {$what} no puede llamarse `note`: esa clave es para notas
 scene-called_ground = un eslabón no puede llamarse `ground`: eso es el bastidor
 scene-point_twice = el punto {$point} está dos veces
+scene-link_twice = el eslabón {$link} está dos veces
 scene-point_twice_in_link = el punto {$point} está dos veces en el eslabón {$link}
 scene-link_named = el eslabón {$link}
 scene-point_named = el punto {$point}
@@ -727,6 +754,35 @@ scene-add_at = añada "at", el punto del eslabón {$link} que está en la guía
 scene-add_link_or_pin = añada "link", el eslabón que desliza; o escriba "pin": "{$point}" para un perno en una ranura
 scene-slides_on_itself = el eslabón {$link} no puede deslizar sobre sí mismo
 
+# Masses and loads.
+
+scene-mass_and_weight = el eslabón {$link} tiene masa y peso
+scene-without_mass = el eslabón {$link} tiene `{$key}`, pero no masa
+scene-no_unit_of_mass = el eslabón {$link} tiene masa, pero la escena no tiene unidad de masa
+scene-add_unit_of_mass = añada `"mass": "kg"` a `units`
+scene-weight_without_gravity = el eslabón {$link} tiene peso, pero la escena no tiene gravedad: su masa no se conoce
+scene-add_gravity = añada `"gravity": [0, -9810]` (en mm y s), o dé una masa
+scene-no_center_of_mass = el eslabón {$link} tiene masa, pero no centro de masa
+scene-add_center = añada `"center"`: un punto como "C", coordenadas [x, y] en el sistema del eslabón, o una distancia a lo largo de su eje
+scene-below_zero = `{$key}` es {$value}, menor que cero
+scene-no_unit_of_force = hay cargas, pero la escena no tiene unidad de fuerza
+scene-add_unit_of_force = añada `"force": "N"` a `units`
+scene-distance_is_drawn = una distancia a lo largo del eje del eslabón {$link}, pero esta escena es una configuración dibujada
+scene-place_as_drawn = dé las coordenadas [x, y] como están dibujadas
+scene-neither_force_nor_couple = una carga es una fuerza, un par, o ambos
+scene-force_nowhere = una fuerza actúa en un lugar
+scene-add_at_of_force = añada `"at"`: un punto como "C", coordenadas [x, y] en el sistema del eslabón, o una distancia a lo largo de su eje
+scene-couple_turns = un par es el mismo gire o no
+scene-turns_is_drawn = en una configuración dibujada una fuerza es como está dibujada
+scene-spring_within_link = ambos extremos del resorte están en un mismo cuerpo: no tira de nada
+scene-spring_between_links = nombre dos cuerpos, como [["3", "C"], ["ground", "A"]]
+scene-no_point_of_ground = el bastidor no tiene el punto {$point}
+scene-distance_on_ground = el bastidor no tiene eje; dé un punto o coordenadas [x, y]
+scene-load_name = `{$name}` no puede ser el nombre de una carga: un nombre no está vacío y no tiene ( ) ni coma
+scene-load_name_twice = dos cargas tienen el nombre {$name}
+scene-other_load_name = elija otro nombre para la carga
+scene-spring_ends = un resorte tiene dos extremos, no {$count}
+
 # The figure.
 
 scene-scale_is = `{$key}` es {$what}
@@ -742,14 +798,20 @@ scene-frame_is_link = ya se llama así el eslabón {$link}
 scene-other_frame = dé al bastidor el otro número, o un texto propio en `labels`: {"{"} "ground": "…" {"}"}
 scene-ghosts_between = el número de posiciones fantasma va de {$least} a {$most}, y no {$count}
 scene-drawn_has_no_path = una configuración dibujada no puede moverse, así que el punto {$point} no tiene trayectoria
+scene-drawn_has_no_centrodes = una configuración dibujada no puede moverse, así que el eslabón {$link} no tiene polodias
 scene-drawn_has_no_ghosts = una configuración dibujada no puede moverse, así que no hay otras posiciones que dibujar
 scene-lengths_and_drive = una escena con `lengths` o `shape` y un accionamiento con su `angle` o `position`
 scene-no_drive_no_path = no hay accionamiento que mueva el mecanismo, así que el punto {$point} no tiene trayectoria
+scene-no_drive_no_centrodes = no hay accionamiento que mueva el mecanismo, así que el eslabón {$link} no tiene polodias
 scene-no_drive_no_ghosts = no hay accionamiento que mueva el mecanismo, así que no hay otras posiciones que dibujar
 scene-give_drive = dé a un eslabón un "drive"
 scene-moving_points = los puntos que se mueven son {$all}
 scene-ground_has_no_path = el punto {$point} está en el bastidor y no tiene trayectoria
 scene-name_of_construction = {$name} es un nombre de la construcción, y no un punto de un eslabón
+scene-no_center = "{$name}" no nombra ningún centro instantáneo
+scene-name_center = un centro se nombra por dos eslabones, como P(1,3), o P(2,ground) con el bastidor
+scene-center_twice = el centro {$name} está dos veces
+scene-ground_is_at_rest = el punto {$point} está en el bastidor y no se mueve
 
 # How large a scene may be.
 
@@ -770,6 +832,9 @@ scene-expects_point_or_place = el nombre de un punto entre comillas dobles, o su
 scene-expects_direction = dos puntos como "BE", o un número de grados, o [dx, dy]
 scene-expects_vector = un vector como {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = un eslabón como {"{"} "points": ["A", "B"], … {"}"}, o una lista de sus puntos ["A", "B"]
+scene-expects_link_place = el nombre de un punto entre comillas dobles, sus coordenadas [x, y], o una distancia a lo largo del eje del eslabón
+scene-expects_load = una carga como {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
+scene-expects_spring = un resorte como {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = un eslabón
 scene-expects_ground = los puntos del bastidor como {"{"} "A": [x, y], … {"}"}, o sus nombres como ["A", …]
 scene-expects_drive = un accionamiento como {"{"} "angle": 70, "omega": -1 {"}"}
@@ -779,6 +844,7 @@ scene-expects_link_motion = un movimiento como {"{"} "at": "B", "velocity": [x, 
 scene-expects_slider = una corredera como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = una escena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = una figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", o centros como ["P(2,ground)", "P(1,3)"]
 scene-expects_units = unidades como {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false o "paper"
 scene-expects_truth_or_unit = true, false o una unidad de longitud
@@ -916,7 +982,7 @@ accuracy-at_change = punto de cambio en {$place}: los eslabones {$links} podría
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` no es una magnitud; formas conocidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3); los vectores también con .x .y .size .angle, los segmentos de los planos con /mu
+quantity-no_quantity = `{$name}` no es una magnitud; formas conocidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D); los vectores también con .x .y .size .angle, los segmentos de los planos con /mu
 quantity-no_link = `{$quantity}`: no existe aquí el eslabón `{$name}`
 quantity-no_slider = `{$quantity}`: no existe aquí la corredera `{$name}`
 quantity-no_point = `{$quantity}`: no existe aquí el punto `{$name}`
@@ -934,6 +1000,16 @@ quantity-no_construction = no hay construcción
 quantity-at_infinity = el punto especial está en el infinito
 quantity-not_on_one_link = los dos puntos no están en un mismo eslabón
 quantity-no_plan = no existe ese plano
+quantity-centre_at_infinity = el centro está en el infinito y solo tiene dirección: `.angle`
+quantity-centre_at_place = el centro está en un lugar: `.x`, `.y`
+quantity-rest_on_another = los eslabones están en reposo uno respecto del otro
+quantity-link_turns_not = el eslabón no gira
+quantity-path_is_straight = la trayectoria es recta ahí, o el punto está en reposo
+quantity-place_has_no_size = `{$name}` es un lugar y no tiene módulo; pida su `.x` o su `.y`
+quantity-no_loads = la escena no tiene masas, fuerzas ni resortes
+quantity-not_driven = no está accionado
+quantity-not_at_pin = ese eslabón no tiene articulación en ese perno
+quantity-no_forces = sus cargas salen del rango de los números, o la posición es singular
 quantity-nowhere_in_range = no lo tiene en ninguna posición del intervalo
 quantity-no_scale_in_table = una tabla no tiene escala
 
@@ -1019,6 +1095,7 @@ editing-held_try = arrastre la articulación a otro lugar
 drawing-scheme = el esquema
 drawing-velocity_plan = el plano de velocidades
 drawing-acceleration_plan = el plano de aceleraciones
+drawing-centers = la figura de centros instantáneos
 drawing-overflow = {$panel} no cabe en su panel con {$key} = {$given} y queda recortado; cabe con {$fitting}, o en una hoja mayor
 drawing-no_scale = ninguna
 drawing-cost_of_list = las escalas dejan espacio para la lista de resultados: {$scales}
@@ -1088,6 +1165,8 @@ check-position = posición
 check-length = longitud
 check-velocity = velocidad
 check-acceleration = aceleración
+check-force = una fuerza
+check-moment = un momento
 
 # Tables.
 
@@ -2133,6 +2212,12 @@ page-sheets-acceleration_panel = Plan de aceleraciones
 page-sheets-acceleration_name = plano de aceleraciones
 page-sheets-acceleration_title = Plano de aceleraciones
 page-sheets-acceleration_from = Del plano de aceleraciones
+page-sheets-centers_short = Centros
+page-sheets-centers_scaled = Centros
+page-sheets-centers_panel = Centros instantáneos
+page-sheets-centers_name = figura de centros instantáneos
+page-sheets-centers_title = Centros instantáneos
+page-sheets-centers_from = De los centros
 
 
 ## The workbench: refused

@@ -21,6 +21,8 @@ pub struct Notation {
     pub relative: &'static str,
     /// How motions along guides are written.
     pub sliding: SlidingName,
+    /// The letter of instant centres.
+    pub center: &'static str,
     /// The number of the frame; without one it has a word.
     pub frame: Option<FrameName>,
 }
@@ -36,6 +38,7 @@ impl Notation {
         Notation {
             coriolis: figure.coriolis.map_or(school.coriolis, CoriolisName::as_str),
             sliding: figure.sliding,
+            center: figure.center_letter.as_str(),
             frame: figure.frame,
             ..school
         }
@@ -72,6 +75,7 @@ const PAPER: Notation = Notation {
     coriolis: "c",
     relative: "r",
     sliding: SlidingName::Slider,
+    center: "P",
     frame: None,
 };
 

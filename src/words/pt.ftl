@@ -91,6 +91,23 @@ only_roughly = , só aproximadamente
 direction = direção {$degrees}°
 angle_of_crossing = ângulo de cruzamento {$degrees}°
 
+# Instant centres.
+
+permanent_centers = Marcar os centros permanentes: {$centers}.
+center_in = {$center} em {$point}
+center_normal_to = {$center} no infinito, normal à guia de {$guide}
+center_line = Unir {$first} e {$second}; {$center} está sobre esta reta.
+center_line_towards = Traçar por {$first} a reta para {$second}, no infinito; {$center} está sobre ela.
+center_cross = Marcar {$center} em {$first} e {$second}.
+center_parallel = {$center} está no infinito: {$first} e {$second} são paralelas.
+center_along = {$center} está no infinito ao longo de {$line}: a outra reta é a do infinito.
+leave_out = Retirar o elo {$link} e unir rigidamente {$first} e {$second}: o centro está então em {$center}.
+centers_by_rates = Nenhuma reta leva a {$centers}: das velocidades calculadas.
+rate_by_centers = Calcular {$rate}: em {$center} os elos {$driver} e {$link} têm a mesma velocidade.
+velocity_by_centers = Traçar {$vector}, normal ao raio {$from} {$point}.
+velocity_of_center = Traçar {$vector}, a de {$center}: o elo {$link} não gira.
+centers_differ = Os centros por estas retas e os do movimento calculado diferem em {$difference} do tamanho do mecanismo; os cruzamentos permitem {$allowed}.
+
 # The figure.
 
 title = Polígonos de velocidades e acelerações
@@ -99,6 +116,7 @@ velocity_plan = Polígono de velocidades
 # Its velocities are drawn turned by 90°, one way or the other.
 turned_plan = {$plan}, girado de {$angle}°
 acceleration_plan = Polígono de acelerações
+centers = Centros instantâneos
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = até {$point}: {$distance}
 cut_at_edge = cortado na borda
@@ -110,6 +128,10 @@ paths_in_time = Marcas na trajetória de {$points}: a cada {$step} do acionament
 path_of = Trajetória de {$point} em {$unit}
 mode = modo {$number}
 modes_left_out = Dos outros modos de montagem só são desenhados os primeiros {$count}.
+centrodes = Polares do elo {$links}, perto do mecanismo: a fixa em traço contínuo, a móvel tracejada.
+no_centrodes = O elo {$links} gira em torno de um ponto fixo ou não gira: não tem polares.
+inflection_circle = Circunferência de inflexões do elo {$link}: diâmetro {$diameter}, pelo centro instantâneo P e pelo polo de inflexão W.
+no_inflection_circle = O elo {$link} não gira: não tem circunferência de inflexões.
 paths_beyond = Tracejado: além dos limites do acionamento.
 agreement = Construção e equações de malha concordam: diferem em {$difference} do maior valor (os cruzamentos admitem {$allowed}).
 one_route_far = Um ponto especial está no infinito: os valores vêm só das equações de malha.
@@ -127,9 +149,11 @@ description = Contém: {$panels}. Grupos de Assur: {$groups}.
 named_scheme = esquema
 named_velocity_plan = polígono de velocidades
 named_acceleration_plan = polígono de acelerações
+named_centers = centros instantâneos
 described_scheme = o mecanismo em escala
 described_velocity_plan = seu polígono de velocidades
 described_acceleration_plan = seu polígono de acelerações
+described_centers = seus centros instantâneos
 described_group = classe {$class}, elos {$links}
 higher = superior
 
@@ -144,6 +168,8 @@ position = Posição
 length = Comprimento
 velocity = Velocidade
 acceleration = Aceleração
+force = Força
+moment = Momento
 in_unit = {$kind} em {$unit}
 drive_angle = Ângulo {$symbol} do acionamento em °
 drive_position = Posição do acionamento {$drive} em {$unit}
@@ -610,6 +636,7 @@ scene-sign_in_name = o nome `{$name}` de {$what} contém `{$sign}`
 scene-called_note = {$what} não pode se chamar `note`: essa chave é para notas
 scene-called_ground = um elo não pode se chamar `ground`: isso é a base
 scene-point_twice = o ponto {$point} aparece duas vezes
+scene-link_twice = o elo {$link} aparece duas vezes
 scene-point_twice_in_link = o ponto {$point} aparece duas vezes no elo {$link}
 scene-link_named = o elo {$link}
 scene-point_named = o ponto {$point}
@@ -729,6 +756,35 @@ scene-add_at = acrescente "at", o ponto do elo {$link} que está na guia
 scene-add_link_or_pin = acrescente "link", o elo que desliza; ou escreva "pin": "{$point}" para um pino em uma ranhura
 scene-slides_on_itself = o elo {$link} não pode deslizar sobre si mesmo
 
+# Masses and loads.
+
+scene-mass_and_weight = o elo {$link} tem massa e peso
+scene-without_mass = o elo {$link} tem `{$key}`, mas não massa
+scene-no_unit_of_mass = o elo {$link} tem massa, mas a cena não tem unidade de massa
+scene-add_unit_of_mass = acrescente `"mass": "kg"` a `units`
+scene-weight_without_gravity = o elo {$link} tem peso, mas a cena não tem gravidade: a sua massa não é conhecida
+scene-add_gravity = acrescente `"gravity": [0, -9810]` (em mm e s), ou dê uma massa
+scene-no_center_of_mass = o elo {$link} tem massa, mas não centro de massa
+scene-add_center = acrescente `"center"`: um ponto como "C", coordenadas [x, y] no sistema do elo, ou uma distância ao longo do seu eixo
+scene-below_zero = `{$key}` é {$value}, menor que zero
+scene-no_unit_of_force = há cargas, mas a cena não tem unidade de força
+scene-add_unit_of_force = acrescente `"force": "N"` a `units`
+scene-distance_is_drawn = uma distância ao longo do eixo do elo {$link}, mas esta cena é uma configuração desenhada
+scene-place_as_drawn = dê as coordenadas [x, y] como estão desenhadas
+scene-neither_force_nor_couple = uma carga é uma força, um binário, ou ambos
+scene-force_nowhere = uma força atua num lugar
+scene-add_at_of_force = acrescente `"at"`: um ponto como "C", coordenadas [x, y] no sistema do elo, ou uma distância ao longo do seu eixo
+scene-couple_turns = um binário é o mesmo, gire ou não
+scene-turns_is_drawn = numa configuração desenhada uma força é como está desenhada
+scene-spring_within_link = ambas as extremidades da mola estão num mesmo corpo: não puxa nada
+scene-spring_between_links = nomeie dois corpos, como [["3", "C"], ["ground", "A"]]
+scene-no_point_of_ground = a base não tem o ponto {$point}
+scene-distance_on_ground = a base não tem eixo; dê um ponto ou coordenadas [x, y]
+scene-load_name = `{$name}` não pode ser o nome de uma carga: um nome não é vazio e não tem ( ) nem vírgula
+scene-load_name_twice = duas cargas têm o nome {$name}
+scene-other_load_name = escolha outro nome para a carga
+scene-spring_ends = uma mola tem duas extremidades, não {$count}
+
 # The figure.
 
 scene-scale_is = `{$key}` é {$what}
@@ -744,14 +800,20 @@ scene-frame_is_link = o elo {$link} já tem esse nome
 scene-other_frame = dê à base o outro número, ou um texto próprio em `labels`: {"{"} "ground": "…" {"}"}
 scene-ghosts_between = o número de posições-fantasma vai de {$least} a {$most}, e não {$count}
 scene-drawn_has_no_path = uma configuração desenhada não pode ser movida, portanto o ponto {$point} não tem trajetória
+scene-drawn_has_no_centrodes = uma configuração desenhada não pode ser movida, portanto o elo {$link} não tem polares
 scene-drawn_has_no_ghosts = uma configuração desenhada não pode ser movida, portanto não há outras posições a desenhar
 scene-lengths_and_drive = uma cena com `lengths` ou `shape` e um acionamento com seu `angle` ou `position`
 scene-no_drive_no_path = não há acionamento que mova o mecanismo, portanto o ponto {$point} não tem trajetória
+scene-no_drive_no_centrodes = não há acionamento que mova o mecanismo, portanto o elo {$link} não tem polares
 scene-no_drive_no_ghosts = não há acionamento que mova o mecanismo, portanto não há outras posições a desenhar
 scene-give_drive = dê a um elo um "drive"
 scene-moving_points = os pontos que se movem são {$all}
 scene-ground_has_no_path = o ponto {$point} está na base e não tem trajetória
 scene-name_of_construction = {$name} é um nome da construção, e não um ponto de um elo
+scene-no_center = "{$name}" não nomeia nenhum centro instantâneo
+scene-name_center = um centro é nomeado por dois elos, como P(1,3), ou P(2,ground) com a base
+scene-center_twice = o centro {$name} está duas vezes
+scene-ground_is_at_rest = o ponto {$point} está na base e não se move
 
 # How large a scene may be.
 
@@ -772,6 +834,9 @@ scene-expects_point_or_place = o nome de um ponto entre aspas duplas, ou suas co
 scene-expects_direction = dois pontos como "BE", ou um número de graus, ou [dx, dy]
 scene-expects_vector = um vetor como {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = um elo como {"{"} "points": ["A", "B"], … {"}"}, ou uma lista dos seus pontos ["A", "B"]
+scene-expects_link_place = o nome de um ponto entre aspas duplas, as suas coordenadas [x, y], ou uma distância ao longo do eixo do elo
+scene-expects_load = uma carga como {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
+scene-expects_spring = uma mola como {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = um elo
 scene-expects_ground = os pontos da base como {"{"} "A": [x, y], … {"}"}, ou seus nomes como ["A", …]
 scene-expects_drive = um acionamento como {"{"} "angle": 70, "omega": -1 {"}"}
@@ -781,6 +846,7 @@ scene-expects_link_motion = um movimento como {"{"} "at": "B", "velocity": [x, y
 scene-expects_slider = um cursor como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_scene = uma cena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = uma figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
+scene-expects_centers = "all", ou centros como ["P(2,ground)", "P(1,3)"]
 scene-expects_units = unidades como {"{"} "length": "mm", "time": "s" {"}"}
 scene-expects_truth_or_paper = true, false ou "paper"
 scene-expects_truth_or_unit = true, false ou uma unidade de comprimento
@@ -918,7 +984,7 @@ accuracy-at_change = ponto de mudança em {$place}: os elos {$links} também pod
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` não é uma grandeza; formas conhecidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3); vetores também com .x .y .size .angle, segmentos dos polígonos com /mu
+quantity-no_quantity = `{$name}` não é uma grandeza; formas conhecidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D); vetores também com .x .y .size .angle, segmentos dos polígonos com /mu
 quantity-no_link = `{$quantity}`: não existe aqui o elo `{$name}`
 quantity-no_slider = `{$quantity}`: não existe aqui o cursor `{$name}`
 quantity-no_point = `{$quantity}`: não existe aqui o ponto `{$name}`
@@ -936,6 +1002,16 @@ quantity-no_construction = não há construção
 quantity-at_infinity = o ponto especial está no infinito
 quantity-not_on_one_link = os dois pontos não estão em um mesmo elo
 quantity-no_plan = não existe esse polígono
+quantity-centre_at_infinity = o centro está no infinito e tem apenas direção: `.angle`
+quantity-centre_at_place = o centro está em um lugar: `.x`, `.y`
+quantity-rest_on_another = os elos estão em repouso um em relação ao outro
+quantity-link_turns_not = o elo não gira
+quantity-path_is_straight = a trajetória é reta ali, ou o ponto está em repouso
+quantity-place_has_no_size = `{$name}` é um lugar e não tem módulo; peça o seu `.x` ou `.y`
+quantity-no_loads = a cena não tem massas, forças nem molas
+quantity-not_driven = não é acionado
+quantity-not_at_pin = esse elo não tem junta nesse pino
+quantity-no_forces = as suas cargas saem do domínio dos números, ou a posição é singular
 quantity-nowhere_in_range = não o tem em nenhuma posição do intervalo
 quantity-no_scale_in_table = uma tabela não tem escala
 
@@ -1021,6 +1097,7 @@ editing-held_try = puxe a junta para outro lugar
 drawing-scheme = esquema
 drawing-velocity_plan = polígono de velocidades
 drawing-acceleration_plan = polígono de acelerações
+drawing-centers = a figura de centros instantâneos
 drawing-overflow = o {$panel} não cabe no seu painel com {$key} = {$given} e fica cortado ali; cabe com {$fitting}, ou em uma folha maior
 drawing-no_scale = nenhuma
 drawing-cost_of_list = as escalas deixam espaço para a lista de resultados: {$scales}
@@ -1090,6 +1167,8 @@ check-position = posição
 check-length = comprimento
 check-velocity = velocidade
 check-acceleration = aceleração
+check-force = uma força
+check-moment = um momento
 
 # Tables.
 
@@ -2135,6 +2214,12 @@ page-sheets-acceleration_panel = Acelerações
 page-sheets-acceleration_name = polígono de acelerações
 page-sheets-acceleration_title = Polígono de acelerações
 page-sheets-acceleration_from = Do polígono de acelerações
+page-sheets-centers_short = Centros
+page-sheets-centers_scaled = Centros
+page-sheets-centers_panel = Centros instantâneos
+page-sheets-centers_name = figura de centros instantâneos
+page-sheets-centers_title = Centros instantâneos
+page-sheets-centers_from = Dos centros
 
 
 ## The workbench: refused

@@ -126,6 +126,25 @@ sentences! {
     direction(degrees);
     angle_of_crossing(degrees);
 
+    // Instant centres.
+    /// The list of `center_in` and `center_normal_to`.
+    permanent_centers(centers);
+    center_in(center, point);
+    center_normal_to(center, guide);
+    center_line(first, second, center);
+    /// Where the second is at infinity.
+    center_line_towards(first, second, center);
+    center_cross(center, first, second);
+    center_parallel(center, first, second);
+    /// Where the other line is that at infinity.
+    center_along(center, line);
+    leave_out(link, first, second, center);
+    centers_by_rates(centers);
+    rate_by_centers(rate, driver, link, center);
+    velocity_by_centers(vector, from, point);
+    velocity_of_center(vector, center, link);
+    centers_differ(difference, allowed);
+
     // The figure.
     /// Title of a figure whose scene has none.
     title;
@@ -133,6 +152,7 @@ sentences! {
     velocity_plan;
     turned_plan(plan, angle);
     acceleration_plan;
+    centers;
     /// A special point that lies off the sheet.
     far_away(point, distance, from);
     /// At the line to an image that lies off the panel.
@@ -146,6 +166,10 @@ sentences! {
     paths(points, step, drive);
     paths_in_time(points, step, drive, time);
     path_of(point, unit);
+    centrodes(links);
+    no_centrodes(links);
+    inflection_circle(link, diameter);
+    no_inflection_circle(link);
     /// At another assembly mode.
     mode(number);
     modes_left_out(count);
@@ -167,9 +191,11 @@ sentences! {
     named_scheme;
     named_velocity_plan;
     named_acceleration_plan;
+    named_centers;
     described_scheme;
     described_velocity_plan;
     described_acceleration_plan;
+    described_centers;
     described_group(class, links);
     /// The class of a group above class IV.
     higher;
@@ -186,6 +212,8 @@ sentences! {
     length;
     velocity;
     acceleration;
+    force;
+    moment;
     in_unit(kind, unit);
     drive_angle(symbol);
     drive_position(drive, unit);
@@ -403,6 +431,7 @@ impl Language {
             Sheet::Scheme => [self.scheme(), self.described_scheme()],
             Sheet::Velocity => [self.velocity_plan(), self.described_velocity_plan()],
             Sheet::Acceleration => [self.acceleration_plan(), self.described_acceleration_plan()],
+            Sheet::Centers => [self.centers(), self.described_centers()],
         }
     }
 
@@ -440,6 +469,7 @@ fn named_sheet(sheet: Sheet) -> Key {
         Sheet::Scheme => Key::named_scheme,
         Sheet::Velocity => Key::named_velocity_plan,
         Sheet::Acceleration => Key::named_acceleration_plan,
+        Sheet::Centers => Key::named_centers,
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use support::files;
 
 /// The folders of `src` in the order in which values flow; each may use itself and those before it.
-const ORDER: [&str; 22] = [
+const ORDER: [&str; 23] = [
     "geometry",
     "scene",
     "words",
@@ -14,6 +14,7 @@ const ORDER: [&str; 22] = [
     "position",
     "motion",
     "centers",
+    "forces",
     "construction",
     "quantity",
     "editing",

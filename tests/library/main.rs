@@ -8,9 +8,14 @@
 //!   is hard on the way from a text's digits to them;
 //!   `paper_facts`, `published_numbers` and `worked` hold the paper and 20 textbook cases; `templates` holds every
 //!   starting scene to independent truth and its rates to finite differences.
+//! - Poles: `centers` holds instant centres, inflection poles and poles of accelerations to independent digits, of random mechanisms to 256 bits, and three
+//!   centres of three links to a line.
+//! - Lines to poles: `kennedy` holds instant centres by Kennedy's lines to independent digits and to the motion, and finds them for all chains of four, six and eight
+//!   links with the fewest crossings.
 //! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles, `studies` the assemblies of a study's mechanisms to those of each by itself; `planted_modes` and
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
 //!   `levers` turns slotted levers round.
+//! - Forces: `forces` holds what joints and drives carry to 35 cases of 60 digits, to virtual power, to energy over a turn and to momentum.
 //! - Drives: `driven_sliders` holds cylinders and telescopes to independent truth, from lengths and as drawn, and
 //!   their plans to closing; `driven_cycles` moves each of their drives; `cycle` holds paths to closed forms, random
 //!   mechanisms and finite differences.
@@ -50,6 +55,7 @@ mod bad_scenes;
 mod board_shown;
 mod boards;
 mod camera;
+mod centers;
 mod cheats;
 mod committed_files;
 mod complete_plans;
@@ -65,6 +71,7 @@ mod editing;
 mod error_bounds;
 mod films;
 mod first_wrong;
+mod forces;
 mod forms;
 mod fuzzed;
 mod gallery_measured;
@@ -76,6 +83,7 @@ mod hodographs;
 mod honest_checks;
 mod inside;
 mod invariants;
+mod kennedy;
 mod lectured;
 mod legible;
 mod levers;

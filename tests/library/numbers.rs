@@ -219,3 +219,37 @@ fn what_is_exact_is_proved() {
     assert!(result.proved && (link.omega + 1.0).abs() <= link.omega_error && link.omega_error < 1e-15, "{link:?}");
     assert_eq!(result.notes, ["extreme position at angle(1) = 0°: slider 3/ground stops at 200 and slides back"]);
 }
+
+/// A dyad on BD = 240 with BC = 120 and CD = 120 + d: its two assemblies are 2 h apart, h² = (d/2 + d²/480) (240 − d/2 − d²/480). From 1e-9 apart
+/// (d = 1e-20) on each is either told as one with the other, where nothing is proved, or bounds hold it and not the other.
+#[test]
+fn two_assemblies_are_separated_or_nothing_is_proved() {
+    let (mut separated, mut refused) = (0, 0);
+    for power in 1..=20 {
+        let decimals = format!("{}1", "0".repeat(power - 1));
+        let d = format!("0.{decimals}").parse::<f64>().expect("a decimal");
+        let h = ((0.5 * d + d * d / 480.0) * (240.0 - 0.5 * d - d * d / 480.0)).sqrt();
+        let text = format!(
+            r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": {{ "A": [0, 0], "D": [300, 0] }},
+               "links": {{ "1": {{ "points": ["A", "B"], "lengths": {{ "AB": 60 }}, "drive": {{ "angle": 0, "omega": 1 }} }},
+                          "2": {{ "points": ["B", "C"], "lengths": {{ "BC": 120 }} }},
+                          "3": {{ "points": ["D", "C"], "lengths": {{ "CD": 120.{decimals} }} }} }},
+               "near": {{ "C": [180, 1] }} }}"#
+        );
+        let Ok(solution) = solved(&text) else {
+            refused += 1;
+            continue;
+        };
+        let result = solution.result();
+        if !result.proved {
+            refused += 1;
+            continue;
+        }
+        let (y, error) = number(&result, "place(C).y");
+        assert!((y - h).abs() <= error + 1e-15 * h, "1e-{power}: {y} ± {error}, in place of {h}");
+        assert!(error < h, "1e-{power}: ± {error} has the other assembly, too, {h} on the other side");
+        separated += 1;
+    }
+    println!("{separated} separated, {refused} with nothing proved");
+    assert!(separated >= 8 && refused >= 3, "{separated} separated, {refused} with nothing proved");
+}

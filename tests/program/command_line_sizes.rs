@@ -98,6 +98,17 @@ fn very_many_sheets_are_asked_about() {
 /// What is painted in pixels takes many times as long: fewer sheets are written so, and pictures of very many pixels are asked
 /// about.
 #[test]
+fn very_many_points_are_asked_about() {
+    for (count, kind, is_asked) in [(7_000, "svg", true), (4_500, "png", true), (4_500, "svg", false)] {
+        let file = scratch("many-points").join(format!("{count}.{kind}"));
+        let output = with_scene(&["draw", "-", "-o", file.to_str().expect("a name")], &many_points(count));
+        let told = stderr(&output);
+        assert_eq!(told.contains("with --yes it is drawn"), is_asked, "{count} {kind}: {told}");
+        assert_eq!((output.status.success(), file.exists()), (!is_asked, !is_asked), "{told}");
+    }
+}
+
+#[test]
 fn very_many_pixels_are_asked_about() {
     let folder = scratch("many-pixels");
     let run = |arguments: &[&str]| {

@@ -59,8 +59,13 @@ pub const HARD_GROUPS: By<usize> = By(20, 20, 1000);
 pub const BOUNDED: By<u64> = By(200, 2000, 250_000);
 /// Mechanisms of `whole_errors`, each from lengths and as drawn.
 pub const WHOLE: By<u64> = By(100, 1000, 20_000);
+/// Random mechanisms in `centers`, of which about a fifth can be assembled.
+pub const CENTERS: By<u64> = By(200, 1500, 10_000);
 /// Positions of each starting scene in `whole_errors`.
 pub const WHOLE_POSITIONS: By<u32> = By(1, 2, 60);
+
+/// Mechanisms of `forces`.
+pub const FORCED: By<u64> = By(60, 600, 2000);
 
 // Positions and cycles.
 

@@ -3439,7 +3439,13 @@ export const sheets = {
     "acceleration_panel": "Acceleration plan",
     "acceleration_name": "acceleration plan",
     "acceleration_title": "Acceleration plan",
-    "acceleration_from": "From the acceleration plan"
+    "acceleration_from": "From the acceleration plan",
+    "centers_short": "Centres",
+    "centers_scaled": "Centres",
+    "centers_panel": "Instant centres",
+    "centers_name": "figure of instant centres",
+    "centers_title": "Instant centres",
+    "centers_from": "From the centres"
   },
   "es": {
     "scheme_short": "Esquema",
@@ -3459,7 +3465,13 @@ export const sheets = {
     "acceleration_panel": "Plan de aceleraciones",
     "acceleration_name": "plano de aceleraciones",
     "acceleration_title": "Plano de aceleraciones",
-    "acceleration_from": "Del plano de aceleraciones"
+    "acceleration_from": "Del plano de aceleraciones",
+    "centers_short": "Centros",
+    "centers_scaled": "Centros",
+    "centers_panel": "Centros instantáneos",
+    "centers_name": "figura de centros instantáneos",
+    "centers_title": "Centros instantáneos",
+    "centers_from": "De los centros"
   },
   "de": {
     "scheme_short": "Lageplan",
@@ -3479,7 +3491,13 @@ export const sheets = {
     "acceleration_panel": "Beschleunigungsplan",
     "acceleration_name": "Beschleunigungsplan",
     "acceleration_title": "Beschleunigungsplan",
-    "acceleration_from": "Aus dem Beschleunigungsplan"
+    "acceleration_from": "Aus dem Beschleunigungsplan",
+    "centers_short": "Pole",
+    "centers_scaled": "Pole",
+    "centers_panel": "Momentanpole",
+    "centers_name": "Figur der Momentanpole",
+    "centers_title": "Momentanpole",
+    "centers_from": "Aus den Polen"
   },
   "pt": {
     "scheme_short": "Esquema",
@@ -3499,7 +3517,13 @@ export const sheets = {
     "acceleration_panel": "Acelerações",
     "acceleration_name": "polígono de acelerações",
     "acceleration_title": "Polígono de acelerações",
-    "acceleration_from": "Do polígono de acelerações"
+    "acceleration_from": "Do polígono de acelerações",
+    "centers_short": "Centros",
+    "centers_scaled": "Centros",
+    "centers_panel": "Centros instantâneos",
+    "centers_name": "figura de centros instantâneos",
+    "centers_title": "Centros instantâneos",
+    "centers_from": "Dos centros"
   }
 };
 

@@ -39,7 +39,8 @@ class Notes(TypedDict):
     limits: list[str]
     cut: str | None
 
-Extremes: TypeAlias = tuple[str, str, tuple[float, float] | None, tuple[float, float] | None]
+Found: TypeAlias = tuple[float, float, float, float]
+Extremes: TypeAlias = tuple[str, str, Found | None, Found | None]
 
 def program(arguments: list[str]) -> int: ...
 def kind(name: str) -> str: ...

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import decimal
 import json
+import math
 import os
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
@@ -63,11 +64,22 @@ def _few(value: float, error: float | None) -> str:
     return f"{value:.6g}" if error <= 4e-7 * abs(value) or error == 0 else f"{value:.3g} ± {rounded_up(error)}"
 
 
+def _certain(value: float, error: float | None, most: int) -> str:
+    """So many significant digits, or those that are certain, one at least.
+
+    >>> [_certain(143.8177127788, error, 9) for error in (0.0, 2e-12, 3e-5, 500.0, None)]
+    ['143.817713', '143.817713', '143.8177', '1e+02', '1e+02']
+    """
+    if value == 0 or error == 0:
+        return f"{value:.{most}g}"
+    certain = 1 if error is None or math.isinf(error) else math.floor(math.log10(abs(value) / (2 * error))) + 1
+    return f"{value:.{max(1, min(most, certain))}g}"
+
+
 class Extremes(NamedTuple):
     """Least and greatest value of a quantity over a range of the drive; None where it grows without bound.
 
-    They have no bound of their error: of the values nine digits are certain, of their places six, and so many are printed.
-    Where a bound is needed, ``sweep(at, at, errors=True)`` gives that of the value at a place.
+    Printed are the digits that are certain, of values nine at most, of their places six.
     """
 
     name: str
@@ -82,12 +94,24 @@ class Extremes(NamedTuple):
     """The drive's value where it is greatest."""
     max: float | None
     """The greatest value."""
+    min_at_error: float | None
+    """How far the place can be from ``min_at``."""
+    min_error: float | None
+    """How far the least value can be from ``min``: proved, but at a limit position and next to a change point."""
+    max_at_error: float | None
+    """How far the place can be from ``max_at``."""
+    max_error: float | None
+    """How far the greatest value can be from ``max``, likewise."""
 
     def __str__(self) -> str:
-        def told(value: float | None, at: float | None) -> str:
-            return "without bound" if value is None or at is None else f"{value:.9g} {self.unit} at {at:.6g}"
+        def told(value: float | None, error: float | None, at: float | None, at_error: float | None) -> str:
+            if value is None or at is None:
+                return "without bound"
+            return f"{_certain(value, error, 9)} {self.unit} at {_certain(at, at_error, 6)}"
 
-        return f"{self.name}: least {told(self.min, self.min_at)}, greatest {told(self.max, self.max_at)}"
+        least = told(self.min, self.min_error, self.min_at, self.min_at_error)
+        greatest = told(self.max, self.max_error, self.max_at, self.max_at_error)
+        return f"{self.name}: least {least}, greatest {greatest}"
 
 
 class Step(NamedTuple):
@@ -259,8 +283,9 @@ class Solution:
         """
         found, cut = self._native.extremes(asked(start, stop, want=want, drive=drive, alone=alone))
         warn_of(cut)
-        none = (None, None)
-        return {name: Extremes(name, unit, *(least or none), *(greatest or none)) for name, unit, least, greatest in found}
+        none = (None, None, None, None)
+        pairs = [(name, unit, least or none, greatest or none) for name, unit, least, greatest in found]
+        return {name: Extremes(name, unit, *a[:2], *b[:2], *a[2:], *b[2:]) for name, unit, a, b in pairs}
 
     def form(self, format: FormFormat = "json") -> str:
         """The empty form of measured values: ``json``, or ``csv`` for a spreadsheet."""

@@ -197,6 +197,10 @@ Sliding = Literal["slider", "points"]
 Coriolis = Literal["c", "C", "k", "cor"]
 
 
+#: The letter of instant centres.
+Center = Literal["P", "I", "CIR"]
+
+
 #: The number of the frame, in place of the word for it.
 Frame = Literal["0", "1"]
 
@@ -248,6 +252,8 @@ class Figure(TypedDict):
     """How motions along guides are written: "slider" as v_r(3/2), "points" as v_B3B2; left out: "slider"."""
     coriolis: NotRequired[Coriolis]
     """The index of Coriolis accelerations; left out: that of the notation."""
+    center_letter: NotRequired[Center]
+    """How instant centres are written: P_13, I_13 or CIR_13; left out: "P"."""
     frame: NotRequired[Frame]
     """The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word."""
     turned: NotRequired[Turned]
@@ -270,6 +276,10 @@ class Figure(TypedDict):
     """Points of links whose paths over the whole cycle of the drive are drawn in the scheme."""
     beyond_limits: NotRequired[bool]
     """Whether these paths go on, dashed, beyond limits of the drive, in the other assembly modes that the mechanism reaches there if another link moves it; left out: false."""
+    centrodes: NotRequired[Sequence[str]]
+    """Links whose centrodes over that cycle are drawn in the scheme: the curves of the instant centre of the link and the frame, in the frame and in the link."""
+    inflection: NotRequired[Sequence[str]]
+    """Links whose inflection circles are drawn in the scheme, through instant centre and inflection pole."""
     ghosts: NotRequired[int]
     """Number of equally spaced positions over that cycle in which the links are drawn pale; left out: none."""
     markers: NotRequired[bool]
@@ -698,6 +708,10 @@ class GroupResult(_GroupResultKeys):
 QuantityResult = Union[float, list[float]]
 
 
+#: An instant centre: its place, or the direction in which it lies at infinity.
+CenterResult = SceneFile
+
+
 class BandResult(TypedDict):
     """What an honest hand drawing gives for a quantity."""
 
@@ -751,6 +765,8 @@ class Result(TypedDict):
     """The quantities that the scene's `want` asks for."""
     quantity_errors: dict[str, Union[float, None]]
     """By quantity name: bound on its error, of a vector that of each component, of an angle in degrees."""
+    centers: NotRequired[dict[str, Union[CenterResult, None]]]
+    """By name, as in `P(1,3)`: the instant centres that the scene's `want` asks for; null where the links rest on one another, or no place can be found."""
     pencil: NotRequired[Union[PencilResult, None]]
     """How far hand drawings are from these numbers; only where it is asked for."""
     warnings: list[str]
@@ -973,6 +989,8 @@ class FigureKeys(TypedDict, total=False):
     """How motions along guides are written: "slider" as v_r(3/2), "points" as v_B3B2; left out: "slider"."""
     coriolis: Coriolis | None
     """The index of Coriolis accelerations; left out: that of the notation."""
+    center_letter: Center | None
+    """How instant centres are written: P_13, I_13 or CIR_13; left out: "P"."""
     frame: Frame | None
     """The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word."""
     turned: Turned | None
@@ -995,6 +1013,10 @@ class FigureKeys(TypedDict, total=False):
     """Points of links whose paths over the whole cycle of the drive are drawn in the scheme."""
     beyond_limits: bool | None
     """Whether these paths go on, dashed, beyond limits of the drive, in the other assembly modes that the mechanism reaches there if another link moves it; left out: false."""
+    centrodes: Sequence[str] | None
+    """Links whose centrodes over that cycle are drawn in the scheme: the curves of the instant centre of the link and the frame, in the frame and in the link."""
+    inflection: Sequence[str] | None
+    """Links whose inflection circles are drawn in the scheme, through instant centre and inflection pole."""
     ghosts: int | None
     """Number of equally spaced positions over that cycle in which the links are drawn pale; left out: none."""
     markers: bool | None

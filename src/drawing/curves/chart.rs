@@ -2,7 +2,7 @@
 
 use super::context::{Axis, CurveContext, CurvesError, MOST_CURVES};
 use super::graph::{self, BESIDE, Graph};
-use crate::cycle::{Curve, Curves};
+use crate::cycle::{CertainExtreme, Curve, Curves};
 use crate::drawing::grid::Obstacles;
 use crate::drawing::held_layout::Pane;
 use crate::drawing::labels::{LabelRequest, place};
@@ -90,8 +90,10 @@ fn graphs<'a>(context: &CurveContext<'_>, curves: &'a Curves) -> Result<Vec<Grap
     for (index, (kind, members)) in kinds.into_iter().enumerate() {
         let head = HEADING + if index == 0 { BAND } else { 0.0 };
         let rows = [y, y + head, y + head + each];
+        let extremes = members.iter().map(|&member| curves.certain_extremes(context.scene, &curves.curves[member]));
+        let extremes = extremes.collect();
         let graph_curves = members.into_iter().map(|member| (&curves.curves[member], looks[member]));
-        graphs.push(Graph::new(context.words, kind, graph_curves.collect(), rows));
+        graphs.push(Graph::new(context.words, kind, graph_curves.collect(), extremes, rows));
         y = rows[2] + GAP;
     }
     Ok(graphs)
@@ -203,25 +205,26 @@ fn foot(drawing: &mut Drawing, context: &CurveContext<'_>, curves: &[Curve], y: 
 /// Sentences about the figure for readers who cannot see it.
 fn description(context: &CurveContext<'_>, graphs: &[Graph<'_>]) -> String {
     let (units, language, drive) = (context.scene.units, context.words.language, &context.path.drive);
-    let amount = |value: f64| context.words.number(drive.amount(value));
-    let [from, to] = context.range.map(amount);
+    let [from, to] = context.range.map(|value| context.words.number(drive.amount(value)));
     let mut text = language.over(&drive.quantity, &from, &to);
     for graph in graphs {
         let unit = graph.kind.unit(units);
-        let value = |value: f64| format!("{} {unit}", context.number(value, 6));
-        for (curve, _) in &graph.curves {
+        let value = |found: &CertainExtreme| format!("{} {unit}", context.number(found.value, found.digits(6)));
+        for ((curve, _), extremes) in graph.curves.iter().zip(&graph.extremes) {
             let names = curve.asked.iter().map(|asked| asked.name()).collect::<Vec<_>>().join(" = ");
-            if let Some(constant) = curve.constant {
+            if let (Some(_), [Some(constant), _]) = (curve.constant, extremes) {
                 let sentence = language.is_constant(&names, &value(constant));
                 text.push_str(&format!(" {sentence};"));
                 continue;
             }
-            let extreme = |greatest: bool, sentence: fn(&Language, &str, &str) -> String, none: &str| {
-                let mut extremes = curve.extremes.iter();
-                match extremes.find(|e| e.greatest == greatest) {
-                    Some(e) => sentence(language, &value(e.value), &amount((e.at * 1e4).round() / 1e4)),
-                    None => none.to_owned(),
+            let extreme = |greatest: bool, sentence: fn(&Language, &str, &str) -> String, none: &str| match &extremes
+                [usize::from(greatest)]
+            {
+                Some(found) => {
+                    let place = drive.amount_within((found.at * 1e4).round() / 1e4, found.within);
+                    sentence(language, &value(found), &context.words.number(place))
                 }
+                None => none.to_owned(),
             };
             let least = extreme(false, Language::least, language.no_least());
             let greatest = extreme(true, Language::greatest, language.no_greatest());

@@ -1,7 +1,7 @@
 //! What the sheets of curves share: a range of a motion in words, and axes with round values.
 
 use crate::Problem;
-use crate::cycle::{Event, Happening, Path, Sampled};
+use crate::cycle::{CertainExtreme, Event, Happening, Path, Sampled};
 use crate::drawing::compose::{TITLE_LINE, TITLE_SIZE, titled};
 use crate::drawing::dims::Dims;
 use crate::drawing::held_layout::Pane;
@@ -240,10 +240,10 @@ impl Axis {
         self.words.write(shown + 0.0, NumberStyle::decimals(self.decimals).on(Medium::Figure))
     }
 
-    /// A value as written beside its curve, in the axis's unit, with four digits.
-    pub fn value(&self, value: f64) -> String {
-        let shown = value / libm::exp10(f64::from(self.power));
-        self.words.write(shown, significant(4))
+    /// A value as written beside its curve, in the axis's unit, with those of four digits that are certain.
+    pub fn value(&self, found: &CertainExtreme) -> String {
+        let shown = found.value / libm::exp10(f64::from(self.power));
+        self.words.write(shown, significant(found.digits(4)))
     }
 }
 

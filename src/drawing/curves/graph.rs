@@ -1,5 +1,5 @@
 use super::context::{Axis, CurveContext};
-use crate::cycle::Curve;
+use crate::cycle::{CertainExtreme, Curve};
 use crate::drawing::canvas::{Canvas, Wanted};
 use crate::drawing::clip::{clipped_chain, clipped_segment, distance, simplified};
 use crate::drawing::labels::LabelRequest;
@@ -34,6 +34,8 @@ pub(super) struct Graph<'a> {
     pub kind: QuantityKind,
     /// Its curves, each with the number of its colour and dash.
     pub curves: Vec<(&'a Curve, usize)>,
+    /// By curve: its least and greatest value.
+    pub extremes: Vec<[Option<CertainExtreme>; 2]>,
     /// On the sheet, in mm: top of its heading, top and bottom of its area.
     pub rows: [f64; 3],
     axis: Axis,
@@ -44,6 +46,7 @@ impl<'a> Graph<'a> {
         words: Wording,
         kind: QuantityKind,
         curves: Vec<(&'a Curve, usize)>,
+        extremes: Vec<[Option<CertainExtreme>; 2]>,
         rows: [f64; 3],
     ) -> Graph<'a> {
         let zero = kind.is_rate().then_some(0.0);
@@ -60,7 +63,7 @@ impl<'a> Graph<'a> {
         let ends = [low - more, high + more];
         let apart = APART.max(LEAST_APART * height);
         let axis = Axis::new(words, ends, [rows[2], rows[1]], apart, kind == QuantityKind::Angle);
-        Graph { kind, curves, rows, axis }
+        Graph { kind, curves, extremes, rows, axis }
     }
 
     /// Width of the widest number beside its axis, in mm.
@@ -125,13 +128,13 @@ impl<'a> Graph<'a> {
         }
         // Names keep off the extreme values, which are at their preferred places.
         let mut taken = Vec::new();
-        for curve in &self.curves {
-            self.values(canvas, curve, &mut taken, place);
+        for (curve, extremes) in self.curves.iter().zip(&self.extremes) {
+            self.values(canvas, curve, extremes, &mut taken, place);
         }
         let straight: Vec<(Point, Point)> = straight.iter().map(|(_, a, b)| (*a, *b)).collect();
         let around = Surroundings { frame, curves: &lines, lines: &straight };
-        for (index, (curve, look)) in self.curves.iter().enumerate() {
-            let text = RichText::math(&self.name(context, canvas, curve));
+        for (index, ((curve, look), extremes)) in self.curves.iter().zip(&self.extremes).enumerate() {
+            let text = RichText::math(&self.name(context, canvas, curve, extremes));
             let size = text.ink_box(LABEL).size();
             let Some((anchor, toward, area)) = name_place(index, size, &around, &taken) else {
                 continue;
@@ -148,17 +151,19 @@ impl<'a> Graph<'a> {
         &self,
         canvas: &mut Canvas<'_>,
         (curve, look): &(&Curve, usize),
+        extremes: &[Option<CertainExtreme>; 2],
         taken: &mut Vec<Rect>,
         place: impl Fn(f64, f64) -> Point,
     ) {
         let dots = curve.extremes.iter().map(|e| place(e.at, e.value));
         taken.extend(dots.map(|dot| Rect::from_center_size(dot, (2.0 * DOT, 2.0 * DOT))));
-        for greatest in [false, true] {
-            let Some(first) = curve.extremes.iter().find(|e| e.greatest == greatest) else {
+        for (greatest, found) in [false, true].into_iter().zip(extremes) {
+            let Some((first, found)) = curve.extremes.iter().find(|e| e.greatest == greatest).zip(found.as_ref())
+            else {
                 continue;
             };
             let up = if greatest { -1.0 } else { 1.0 };
-            let text = RichText::plain(&self.axis.value(first.value));
+            let text = RichText::plain(&self.axis.value(found));
             let (anchor, prefer) = (place(first.at, first.value), Some(Vec2::new(0.0, up)));
             let request = LabelRequest { size: CAPTION, ..LabelRequest::new(text, anchor, DOT + 0.5, prefer, 2) };
             let size = request.text.ink_box(request.size).size();
@@ -172,7 +177,13 @@ impl<'a> Graph<'a> {
     }
 
     /// The symbol of a curve, as in `ω_2 = ω_3`; with its value if it is constant.
-    fn name(&self, context: &CurveContext<'_>, canvas: &Canvas<'_>, curve: &Curve) -> String {
+    fn name(
+        &self,
+        context: &CurveContext<'_>,
+        canvas: &Canvas<'_>,
+        curve: &Curve,
+        [constant, _]: &[Option<CertainExtreme>; 2],
+    ) -> String {
         let mut parts: Vec<String> = Vec::new();
         for asked in &curve.asked {
             let symbol = canvas.shown(asked.name(), &context.symbol(asked));
@@ -184,7 +195,7 @@ impl<'a> Graph<'a> {
             parts.truncate(MOST_NAMES);
             parts.push("…".to_owned());
         }
-        parts.extend(curve.constant.map(|value| self.axis.value(value)));
+        parts.extend(constant.as_ref().filter(|_| curve.constant.is_some()).map(|found| self.axis.value(found)));
         parts.join(" = ")
     }
 }
@@ -231,6 +242,8 @@ fn names(language: &Language, kind: QuantityKind) -> (&str, &'static str) {
         QuantityKind::Length => (language.length(), "length"),
         QuantityKind::Velocity => (language.velocity(), "velocity"),
         QuantityKind::Acceleration => (language.acceleration(), "acceleration"),
+        QuantityKind::Force => (language.force(), "force"),
+        QuantityKind::Moment => (language.moment(), "moment"),
     }
 }
 

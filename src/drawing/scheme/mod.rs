@@ -1,6 +1,7 @@
 //! The scheme of the mechanism. From back to front: ghosts, areas, paths of points, cut lines, guides, the ground, links, blocks with the links
 //! on their pins, joints, special points, labels.
 
+mod centrodes;
 mod drives;
 mod links;
 pub(super) mod on_paper;
@@ -8,7 +9,7 @@ mod points;
 pub(super) mod sliders;
 mod values;
 
-pub(super) use sliders::above;
+pub(super) use sliders::{BLOCK, above};
 
 use super::canvas::Canvas;
 use super::context::SheetContext;
@@ -17,7 +18,7 @@ use super::sheet::Pen;
 use super::view::View;
 use crate::construction::{Action, NumberedStep, Ray, RayOf};
 use crate::geometry;
-use crate::mechanism::{GROUND, Role};
+use crate::mechanism::{GROUND, PointId, Role};
 use on_paper::{SchemeOnPaper, circles};
 use std::f64::consts::PI;
 
@@ -28,6 +29,8 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     scheme.other_modes(canvas);
     scheme.link_areas(canvas);
     scheme.paths(canvas);
+    scheme.centrodes(canvas);
+    scheme.inflection_circles(canvas);
     for special in context.special() {
         canvas.step = context.facts.step_of_special(&special.name);
         scheme.cuts(canvas, special);
@@ -52,12 +55,36 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     }
     scheme.rotation_arrows(canvas);
     scheme.values(canvas);
-    scheme.joints(canvas);
+    scheme.joints(canvas, |_| true);
     for special in context.special() {
         canvas.step = context.facts.step_of_special(&special.name);
         scheme.mark_special(canvas, special);
     }
     canvas.step = 0;
+    scheme.link_names(canvas);
+}
+
+/// Draws the mechanism alone, for other things to be drawn on it, with the names of the links and of these points.
+pub(super) fn draw_bare(
+    canvas: &mut Canvas<'_>,
+    view: &View,
+    context: &SheetContext<'_>,
+    is_named: impl Fn(PointId) -> bool,
+) {
+    let scheme = SchemeOnPaper::new(context, view).within(canvas.room());
+    canvas.step = 0;
+    scheme.link_areas(canvas);
+    for slider in scheme.sliders() {
+        scheme.guide(canvas, slider);
+    }
+    for &point in &scheme.mechanism.body(GROUND).points {
+        scheme.pivot(canvas, point);
+    }
+    scheme.link_lines(canvas);
+    for slider in scheme.sliders() {
+        scheme.block(canvas, slider);
+    }
+    scheme.joints(canvas, is_named);
     scheme.link_names(canvas);
 }
 

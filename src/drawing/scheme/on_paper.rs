@@ -214,7 +214,10 @@ pub(in crate::drawing) fn extent(context: &SheetContext<'_>) -> Extent {
     let traces = &context.traces;
     let pieces = traces.paths.iter().flat_map(|path| path.pieces.iter().chain(&path.beyond).flatten());
     let poses = traces.ghosts.iter().chain(context.modes.shown.iter().map(|(_, pose)| pose));
-    let others = pieces.map(|(_, place)| *place).chain(poses.flat_map(|pose| pose.points.iter().copied()));
+    let centrodes =
+        traces.centrodes.iter().flat_map(|centrode| centrode.fixed.iter().chain(&centrode.moving).flatten());
+    let others =
+        pieces.chain(centrodes).map(|(_, place)| *place).chain(poses.flat_map(|pose| pose.points.iter().copied()));
     Extent::of(places.chain(others))
 }
 

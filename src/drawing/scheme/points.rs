@@ -12,7 +12,7 @@ use crate::drawing::sheet::Pen;
 use crate::drawing::text::RichText;
 use crate::drawing::view::{on_sheet, towards};
 use crate::geometry::Place;
-use crate::mechanism::{BodyId, GROUND, Role, Slider, SliderId};
+use crate::mechanism::{BodyId, GROUND, PointId, Role, Slider, SliderId};
 use crate::scene::FrameName;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect, Vec2};
@@ -23,8 +23,8 @@ const DISTANCE: NumberStyle = NumberStyle::significant(4).in_full(-3, 6).on(Medi
 const RIGHT_ANGLE: f64 = 2.4;
 
 impl SchemeOnPaper<'_> {
-    /// Draws circles at pins, dots at other points, and their labels.
-    pub(super) fn joints(&self, canvas: &mut Canvas<'_>) {
+    /// Draws circles at pins, dots at other points, and the labels of those that are named.
+    pub(super) fn joints(&self, canvas: &mut Canvas<'_>, is_named: impl Fn(PointId) -> bool) {
         let mut named = Obstacles::new(canvas.obstacles.bounds);
         for point in self.mechanism.point_ids() {
             let center = self.at(point);
@@ -40,6 +40,9 @@ impl SchemeOnPaper<'_> {
             let twin = distance(&named, center, 0.3).is_some_and(|distance| distance < 0.3);
             let priority = if twin { 1 } else { 2 };
             named.add_boxes([Rect::from_points(center, center)]);
+            if !is_named(point) {
+                continue;
+            }
             canvas.label(name, &display(name), center, clearance, self.outward(center), priority);
         }
     }

@@ -64,6 +64,9 @@ pub(crate) fn meaning(path: &[&str], is_key: bool) -> Option<Meaning> {
         (["ground" | "points" | "known"] | ["links", _, "shape"], true) => Meaning::Point,
         (["ground", _] | ["links", _, _] | ["links", _, "points", _], false) => Meaning::Point,
         (["links", _, "motion", "at"] | ["figure", "trace", _], false) => Meaning::Point,
+        (["forces", _, "at"] | ["springs", _, "between", _, "1"], false) => Meaning::Point,
+        (["forces", _, "on"] | ["springs", _, "between", _, "0"], false) => Meaning::Link,
+        (["figure", "centrodes" | "inflection", _], false) => Meaning::Link,
         (["links"], true) => Meaning::Link,
         (["near"], true) => Meaning::PointOrAngle,
         (["links", _, "lengths"], true) => Meaning::PairOfLink,
@@ -81,9 +84,14 @@ pub(crate) fn key_order(path: &[&str]) -> Vec<&'static str> {
     match path {
         [] => {
             let before = ["$schema", "kinegon", "title", "units", "ground", "points", "known", "links"];
-            before.into_iter().chain(JOINTS.map(|kind| kind.list)).chain(["near", "figure", "want", "form"]).collect()
+            let after = ["gravity", "forces", "springs", "analysis", "near", "figure", "want", "form"];
+            before.into_iter().chain(JOINTS.map(|kind| kind.list)).chain(after).collect()
         }
-        ["links", _] => vec!["points", "lengths", "shape", "drive", "angle", "motion"],
+        ["links", _] => {
+            vec!["points", "lengths", "shape", "drive", "angle", "motion", "mass", "weight", "inertia", "center"]
+        }
+        ["forces", _] => vec!["name", "on", "at", "force", "couple", "turns"],
+        ["springs", _] => vec!["name", "between", "rate", "length"],
         [.., "drive"] => vec!["angle", "omega", "rpm", "alpha", "position", "speed", "acceleration"],
         [list, _] => {
             JointKind::of_list(list).map_or(Vec::new(), |kind| kind.keys.iter().map(|(key, _)| *key).collect())

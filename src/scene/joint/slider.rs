@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -9,7 +10,7 @@ use super::{JointKind, Meaning};
 use crate::message::Message;
 use crate::scene::error::Wrong;
 use crate::scene::given::{GivenBy, SliderDrive};
-use crate::scene::link::{Link, Pushes, Shape};
+use crate::scene::link::{Link, Shape};
 use crate::scene::name::{checked_pair, no_point};
 use crate::scene::names::{Coordinates, Names};
 use crate::scene::says;
@@ -211,7 +212,7 @@ pub(in crate::scene) fn sliders(
     names: &Names<'_>,
     coordinates: &Coordinates,
     file: Vec<SliderFile>,
-    mut pushes: Pushes,
+    mut pushes: IndexMap<String, SliderDrive>,
 ) -> Result<Vec<Slider>, Wrong> {
     let mut sliders: Vec<Slider> = Vec::with_capacity(file.len());
     let mut pushed: HashSet<String> = HashSet::new();

@@ -40,7 +40,7 @@ fn is_at(text: &str, places: &[(&str, [f64; 2])]) {
     }
 }
 
-const MM: Units = Units { length: LengthUnit::Mm, time: TimeUnit::S };
+const MM: Units = Units::new(LengthUnit::Mm, TimeUnit::S);
 
 #[test]
 fn a_mechanism_is_drawn_from_nothing() {

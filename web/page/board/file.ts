@@ -11,6 +11,7 @@ export interface Drawing {
   readonly mu_l?: number;
   readonly mu_v?: number;
   readonly mu_a?: number;
+  readonly mu_c?: number;
   /** What the hand is helped with. */
   readonly snap?: string;
   /** How many hints were opened. */

@@ -3,7 +3,7 @@
 /**
  * A part of the figure.
  */
-export type Panel = "scheme" | "velocity" | "acceleration";
+export type Panel = "scheme" | "velocity" | "acceleration" | "centers";
 /**
  * A kind of thing that has quantities.
  */
@@ -264,7 +264,7 @@ export type SceneNearValue = SceneVector | number;
 /**
  * A part of the figure.
  */
-export type ScenePanel = "scheme" | "velocity" | "acceleration";
+export type ScenePanel = "scheme" | "velocity" | "acceleration" | "centers";
 /**
  * The plans for which scales are chosen that the scene does not give.
  */
@@ -309,6 +309,10 @@ export type SceneConstruction = boolean | "paper";
  * Whether values stand at vectors and links; a unit of length: in this unit, as "m" for m/s
  */
 export type SceneValues = boolean | ("m" | "mm" | "cm" | "in" | "ft");
+/**
+ * "all", or centres by their links, as ["P(2,ground)", "P(1,3)"]
+ */
+export type SceneCenters = "all" | string[];
 
 /**
  * Why a text is not understood or a scene gives no result.
@@ -2428,7 +2432,7 @@ export interface SceneSliderDrive {
  */
 export interface SceneFigure {
   /**
-   * The panels, in order; left out: all three.
+   * The panels, in order; left out: the scheme and both plans.
    *
    * @minItems 1
    */
@@ -2445,6 +2449,10 @@ export interface SceneFigure {
    * Scale of the acceleration plan: units of acceleration per millimetre of paper.
    */
   mu_a?: number;
+  /**
+   * Scale of the figure of instant centres: units of length per millimetre of paper.
+   */
+  mu_c?: number;
   /**
    * For which plans scales are chosen that are not given; left out: "position".
    */
@@ -2542,6 +2550,15 @@ export interface SceneFigure {
    */
   ghosts?: number;
   /**
+   * The instant centres on the panel "centers", besides those that lead to them: "all", or a list of names, as ["P(2,ground)"]. Left out: all of a
+   * mechanism with at most four links, of a larger one those of all links with the frame.
+   */
+  centers?: SceneCenters;
+  /**
+   * Points of links whose velocities that panel shows, found by centres from the one driven link.
+   */
+  velocities?: string[];
+  /**
    * Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a
    * photograph of them is read; left out: true.
    */
@@ -2569,5 +2586,11 @@ export const SHEETS = [
     "scale": "mu_a",
     "isPlan": true,
     "vector": "a"
+  },
+  {
+    "key": "centers",
+    "scale": "mu_c",
+    "isPlan": false,
+    "vector": ""
   }
 ] as const;

@@ -139,5 +139,5 @@ export function unitsOf(scene: Draft): Units {
 
 /** The unit of what a sheet shows. */
 export function unitOn(units: Units, sheet: Sheet): string {
-  return sheet === "scheme" ? units.length : units[sheet];
+  return sheet === "velocity" || sheet === "acceleration" ? units[sheet] : units.length;
 }

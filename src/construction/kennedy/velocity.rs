@@ -1,0 +1,160 @@
+//! Angular velocities and velocities by distances of centres.
+//!
+//! At P_1k links 1 and k have one velocity: ω_k · P_k0 P_1k = ω_1 · P_10 P_1k, with distances that count along one line, so that a centre P_1k between
+//! the two others reverses the sense. A point C of link k then moves with ω_k · P_k0 C, normal to its ray. Velocities are drawn on the
+//! mechanism so that the end of the driven crank has one as long as the crank.
+
+use super::{CenterId, Spot};
+use crate::centers::LinkPair;
+use crate::construction::number::{End, Equation, NumberId, NumberKind, Product, ProductKind, Rate};
+use crate::construction::operation::{Along, MeasuredAs, OperationRole, PlaceId};
+use crate::construction::step::Action;
+use crate::construction::writer::Writer;
+use crate::geometry::{Place, Vector};
+use crate::mechanism::{BodyId, GROUND, PointId, Role};
+use crate::sheet::{Order, Sheet};
+
+/// The velocity of a point by centres.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CenterVelocity {
+    /// The point …
+    pub point: PointId,
+    /// … of this link.
+    pub link: BodyId,
+    /// The driven link.
+    pub driver: BodyId,
+    /// Its end on the sheet; none before it is drawn.
+    pub end: Option<PlaceId>,
+    /// From the point to that end, in the scene's unit of length.
+    pub arrow: Vector,
+    /// The velocity, in the scene's units.
+    pub velocity: Vector,
+    /// The angular velocity of the link.
+    pub omega: f64,
+}
+
+impl CenterVelocity {
+    /// The centres from which it follows.
+    pub(super) fn needs(&self) -> impl Iterator<Item = LinkPair> + use<> {
+        let pairs = [(self.driver, GROUND), (self.link, GROUND), (self.driver, self.link)];
+        pairs.into_iter().filter_map(|(a, b)| LinkPair::new(a, b))
+    }
+}
+
+impl Writer<'_> {
+    /// What there is to find for these points: each as one of a link with a fixed centre, if it has such a link; nothing without a single
+    /// driven link that turns.
+    pub(super) fn velocity_plans(&mut self, points: &[PointId]) -> Vec<CenterVelocity> {
+        let mechanism = self.mechanism;
+        let turns = |body: &BodyId| matches!(mechanism.body(*body).role, Role::Driver { omega, .. } if omega != 0.0);
+        let driver = mechanism.body_ids().find(turns).filter(|_| mechanism.drive_names().len() == 1);
+        let Some(driver) = driver else { return Vec::new() };
+        let plan = |point: &PointId| {
+            let holders = || mechanism.links().map(|(id, _)| id).filter(|id| mechanism.body(*id).has(*point));
+            let is_pivoted = |link: &BodyId| {
+                mechanism.body(*link).points.iter().any(|pin| mechanism.body(GROUND).has(*pin) && pin != point)
+            };
+            let link = holders().find(is_pivoted).or_else(|| holders().next())?;
+            let (arrow, velocity) = (Vector::zeros(), Vector::zeros());
+            Some(CenterVelocity { point: *point, link, driver, end: None, arrow, velocity, omega: 0.0 })
+        };
+        points.iter().filter_map(plan).collect()
+    }
+
+    /// Draws the velocity of a point by the centres that are there; nothing where one of them is missing.
+    pub(super) fn velocity_by_centers(&mut self, velocity: CenterVelocity) {
+        let _ = self.drawn_velocity(velocity);
+    }
+
+    fn drawn_velocity(&mut self, mut found: CenterVelocity) -> Option<()> {
+        let CenterVelocity { point, link, driver, .. } = found;
+        let given = self.construction.rate(Rate::Angular(Order::Velocity, driver))??;
+        let pole = self.center_of_links(link, GROUND)?;
+        let step = self.begin(Sheet::Centers);
+        // The number that turns the ray, and the line that is turned.
+        let (size, along) = match self.spot(pole) {
+            Spot::At(from) => {
+                let rate = if link == driver { given } else { self.rate_by_centers(link, driver, given)? };
+                found.omega = self.number(rate);
+                if link != driver {
+                    self.finish(step, Action::RateByCenters { link, driver, value: found.omega });
+                }
+                let to = self.plot_on(Sheet::Centers, point);
+                let line = self.join_places(Sheet::Centers, OperationRole::Line, [from, to]);
+                let kind = NumberKind::Length([End::Center(pole), End::Joint(point)]);
+                let arm = self.measure(Sheet::Centers, kind, [from, to], MeasuredAs::Along(line));
+                (Product::new(ProductKind::Turning, 1.0, &[rate, arm]), Along::line(line).turned(1))
+            }
+            // The link does not turn: it moves as the driven link does in their common centre.
+            Spot::Towards(_) => {
+                let fixed = self.center_of_links(driver, GROUND)?;
+                let common = self.center_of_links(driver, link)?;
+                let (Spot::At(from), Spot::At(to)) = (self.spot(fixed), self.spot(common)) else { return None };
+                let line = self.join_places(Sheet::Centers, OperationRole::Line, [from, to]);
+                let kind = NumberKind::Length([End::Center(fixed), End::Center(common)]);
+                let arm = self.measure(Sheet::Centers, kind, [from, to], MeasuredAs::Along(line));
+                (Product::new(ProductKind::Turning, 1.0, &[given, arm]), Along::line(line).turned(1))
+            }
+        };
+        let step = self.begin(Sheet::Centers);
+        let per_rate = 1.0 / self.number(given).abs();
+        let at = self.plot_on(Sheet::Centers, point);
+        let end = self.lay_off(Sheet::Centers, at, vec![size.times(per_rate)], along);
+        found.end = Some(end);
+        found.arrow = (self.exact_place(end) - self.exact_place(at)).rounded();
+        found.velocity = found.arrow / per_rate;
+        let index = self.drawn_centers().velocities.len();
+        self.drawn_centers().velocities.push(found);
+        self.finish(step, Action::VelocityByCenters(index));
+        Some(())
+    }
+
+    /// The angular velocity of a link, from that of the driven one.
+    fn rate_by_centers(&mut self, link: BodyId, driver: BodyId, given: NumberId) -> Option<NumberId> {
+        let [fixed, other] = [self.center_of_links(driver, GROUND)?, self.center_of_links(link, GROUND)?];
+        let common = self.center_of_links(driver, link)?;
+        let Spot::At(meeting) = self.spot(common) else {
+            // Parallel motion: both turn alike.
+            return Some(self.compute(Sheet::Centers, NumberKind::RateByCenters(link), vec![Product::plain(given)]));
+        };
+        let (Spot::At(from), Spot::At(to)) = (self.spot(fixed), self.spot(other)) else { return None };
+        // A common centre on the driven link's own pivot tells no direction: then the other pivot does.
+        let is_apart = |a: PlaceId, b: PlaceId, writer: &Self| {
+            (writer.exact_place(a) - writer.exact_place(b)).rounded().norm() > writer.near
+        };
+        let line = match is_apart(from, to, self) {
+            true => self.join_places(Sheet::Centers, OperationRole::Line, [from, to]),
+            false => return None,
+        };
+        if !is_apart(to, meeting, self) {
+            return None;
+        }
+        let length = |writer: &mut Self, ends: [CenterId; 2], places: [PlaceId; 2]| {
+            let kind = NumberKind::Length(ends.map(End::Center));
+            writer.measure(Sheet::Centers, kind, places, MeasuredAs::Along(line))
+        };
+        let driven = length(self, [fixed, common], [from, meeting]);
+        let own = length(self, [other, common], [to, meeting]);
+        let equation = Equation {
+            left: vec![(0, Product::new(ProductKind::Plain, 1.0, &[own]))],
+            right: vec![Product::new(ProductKind::Turning, 1.0, &[given, driven])],
+        };
+        let found = self.solve(Sheet::Centers, vec![NumberKind::RateByCenters(link)], vec![equation])?;
+        found.first().copied()
+    }
+
+    fn center_of_links(&mut self, a: BodyId, b: BodyId) -> Option<CenterId> {
+        let pair = LinkPair::new(a, b)?;
+        self.drawn_centers().of(pair)
+    }
+
+    fn spot(&mut self, id: CenterId) -> Spot {
+        let center = self.drawn_centers().get(id);
+        debug_assert!(matches!(center.place, Place::At(_)) == matches!(center.spot, Spot::At(_)));
+        center.spot
+    }
+
+    fn number(&self, number: NumberId) -> f64 {
+        self.construction.record.exact.numbers[number.0].high
+    }
+}

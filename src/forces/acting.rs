@@ -1,0 +1,158 @@
+//! What acts on the links besides their joints: weights, inertia, given forces and couples, springs.
+
+use super::Posed;
+use crate::geometry::{Ball, Number, Pair};
+use crate::mechanism::{BodyId, GROUND, Mechanism};
+use crate::scene::{Amount, Analysis, GivenBy, LinkPlace, Load, Loads, Mass, On, Spring, SpringEnd, Units};
+
+/// Where a load comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Source {
+    /// The weight of the body.
+    Weight,
+    /// Its inertia: −m a of its centre of mass, and −J α.
+    Inertia,
+    /// The force or couple of this index among those of the scene.
+    Given(usize),
+    /// The spring of this index.
+    Spring(usize),
+}
+
+/// A load on a body.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Acting {
+    pub source: Source,
+    pub body: BodyId,
+    /// The place where the force acts.
+    pub at: Pair<Ball>,
+    pub force: Pair<Ball>,
+    /// A couple beside it, counter-clockwise positive.
+    pub couple: Ball,
+}
+
+/// A force and its moment about a body's reference place.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Wrench {
+    pub force: Pair<Ball>,
+    pub moment: Ball,
+}
+
+impl Wrench {
+    pub(super) fn add(&mut self, other: Wrench) {
+        self.force = self.force + other.force;
+        self.moment = self.moment + other.moment;
+    }
+
+    pub(super) fn times(self, factor: Ball) -> Wrench {
+        Wrench { force: self.force * factor, moment: self.moment * factor }
+    }
+}
+
+/// All loads on bodies whose equilibrium counts, the frame among them for what springs do to it.
+pub(super) fn acting(loads: &Loads, units: Units, mechanism: &Mechanism, posed: &impl Posed) -> Vec<Acting> {
+    let here = Here { mechanism, posed };
+    let factor = units.force_of_mass_times_acceleration();
+    let gravity = Pair { x: posed.given(loads.gravity[0]), y: posed.given(loads.gravity[1]) };
+    let mut all = Vec::new();
+    for (link, mass) in &loads.masses {
+        if let Some(body) = mechanism.link(link) {
+            here.masses(body, mass, factor, gravity, loads.analysis, &mut all);
+        }
+    }
+    all.extend(loads.loads.iter().enumerate().filter_map(|(index, load)| here.given(index, load)));
+    all.extend(loads.springs.iter().enumerate().flat_map(|(index, spring)| here.spring(index, spring)));
+    all
+}
+
+struct Here<'a, P> {
+    mechanism: &'a Mechanism,
+    posed: &'a P,
+}
+
+impl<P: Posed> Here<'_, P> {
+    /// The weight and the inertia of a link.
+    fn masses(
+        &self,
+        body: BodyId,
+        mass: &Mass,
+        factor: Ball,
+        gravity: Pair<Ball>,
+        analysis: Analysis,
+        all: &mut Vec<Acting>,
+    ) {
+        let center = self.place(body, &mass.center);
+        // In units of force per unit of acceleration.
+        let amount = match mass.amount {
+            Amount::Mass(amount) => factor * self.posed.given(amount),
+            Amount::Weight(weight) => self.posed.given(weight) / gravity.dot(gravity).sqrt(),
+        };
+        let none = Ball::default();
+        if gravity != Pair::default() {
+            let force = gravity * amount;
+            all.push(Acting { source: Source::Weight, body, at: center, force, couple: none });
+        }
+        if analysis == Analysis::Dynamic {
+            let couple = -(factor * self.posed.given(mass.inertia) * self.posed.alpha(body));
+            let force = self.posed.acceleration(body, center) * -amount;
+            all.push(Acting { source: Source::Inertia, body, at: center, force, couple });
+        }
+    }
+
+    fn given(&self, index: usize, load: &Load) -> Option<Acting> {
+        let body = self.mechanism.link(&load.on)?;
+        let [x, y] = load.force.map(|x| self.posed.given(x));
+        let force = if load.turns { self.posed.axis(body).turn(Pair { x, y }) } else { Pair { x, y } };
+        let at = load.at.as_ref().map_or_else(|| about(self.mechanism, self.posed, body), |at| self.place(body, at));
+        Some(Acting { source: Source::Given(index), body, at, force, couple: self.posed.given(load.couple) })
+    }
+
+    /// What a spring does to both its ends.
+    fn spring(&self, index: usize, spring: &Spring) -> Vec<Acting> {
+        let end = |end: &SpringEnd| match &end.on {
+            On::Ground => Some((GROUND, self.place(GROUND, &end.at))),
+            On::Link(link) => self.mechanism.link(link).map(|body| (body, self.place(body, &end.at))),
+        };
+        let [Some((first, from)), Some((second, to))] = spring.ends.each_ref().map(end) else {
+            return Vec::new();
+        };
+        let arm = to - from;
+        let length = arm.dot(arm).sqrt();
+        let pull = self.posed.given(spring.rate) * (length - self.posed.given(spring.length));
+        let force = if self.posed.given(spring.length) == Ball::default() {
+            // Without a length of its own it has a force even where its ends meet.
+            arm * self.posed.given(spring.rate)
+        } else {
+            arm * (pull / length)
+        };
+        let on = |body, at, force| Acting { source: Source::Spring(index), body, at, force, couple: Ball::default() };
+        vec![on(first, from, force), on(second, to, -force)]
+    }
+
+    /// A place of a body in the fixed frame.
+    fn place(&self, body: BodyId, at: &LinkPlace) -> Pair<Ball> {
+        let local = match at {
+            LinkPlace::Point(name) => {
+                return self.mechanism.point(name).map_or_else(Pair::default, |point| self.posed.place(point));
+            }
+            LinkPlace::Place(place) => place.map(|x| self.posed.given(x)),
+            LinkPlace::Distance(distance) => [self.posed.given(*distance), Ball::default()],
+        };
+        let local = Pair { x: local[0], y: local[1] };
+        if body == GROUND || self.mechanism.given_by == GivenBy::Drawing {
+            return local;
+        }
+        match self.mechanism.body(body).points.first() {
+            Some(&point) => {
+                let arm = local - self.posed.local(body, point);
+                self.posed.place(point) + self.posed.axis(body).turn(arm)
+            }
+            None => local,
+        }
+    }
+}
+
+/// The place about which the moments of a body are taken: its first point.
+pub(super) fn about(mechanism: &Mechanism, posed: &impl Posed, body: BodyId) -> Pair<Ball> {
+    mechanism.body(body).points.first().map_or_else(Pair::default, |&point| posed.place(point))
+}

@@ -1,0 +1,119 @@
+//! In: the loads of a scene, its mechanism, its places and its motion. Out: [`Forces`]: what every joint carries, and what every drive
+//! needs. Nothing here runs for a scene without loads.
+//!
+//! In reading order: `acting` makes loads of masses, gravity, inertia, forces and springs; `equilibrium` finds what joints carry;
+//! `power` finds the drives' torques a second time, from velocities; `carried` holds the result.
+//!
+//! # Forces in joints
+//!
+//! Each link is cut free. By d'Alembert's principle its loads, inertia among them, and what its joints carry are in equilibrium: two
+//! equations of forces and one of moments for each link, about one of its own points, so that far origins cost no digits. An Assur
+//! group has as many unknowns in its joints as its links have equations, so groups are solved one after the other, the last one first, and
+//! what a group carries is handed to the bodies on which it hangs, reversed. In the end a drive's link gives its torque, or its force
+//! along the guide. The equations of a group are the transposed ones of its velocities (Shai and Pennock, *A study of the duality
+//! between planar kinematics and statics*, J. Mech. Des. 128 (2006)): they are singular in the same positions.
+//!
+//! # Two routes
+//!
+//! The virtual power of all loads, with one drive at rate 1 and the others locked, gives each drive's torque from places and
+//! velocities alone (d'Alembert and Lagrange; the moments on Zhukovsky's lever). [`Forces::agreement`] states how far both routes differ.
+//!
+//! # Bounds
+//!
+//! All numbers are [`Ball`](crate::geometry::Ball)s, and the same code runs at a pose and within an enclosure of the true position and
+//! motion (`accuracy/`): a stated error is the distance of the one from the other.
+
+mod acting;
+mod carried;
+mod equilibrium;
+mod power;
+
+pub use acting::Source;
+pub use carried::{Agreement, Drive, Forces};
+
+use crate::geometry::{Ball, Pair, Vector};
+use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::motion::{Places, State, bounded_motion};
+use crate::position::Pose;
+use crate::sheet::Order;
+
+/// Where bodies are and how they move, for their forces.
+pub(crate) trait Posed: Places {
+    /// The unit vector along the x axis of a body's own frame; without a meaning in a drawn configuration.
+    fn axis(&self, body: BodyId) -> Pair<Ball>;
+    /// A point in the frame of its body.
+    fn local(&self, body: BodyId, point: PointId) -> Pair<Ball>;
+    /// The acceleration of the body's point at a place.
+    fn acceleration(&self, body: BodyId, place: Pair<Ball>) -> Pair<Ball>;
+    /// The angular acceleration of a body.
+    fn alpha(&self, body: BodyId) -> Ball;
+}
+
+/// The forces in a mechanism, with the drives' torques by both routes; `None` without loads, and where the equations of a group leave a
+/// number open, as they do in a singular position and beyond the range of f64.
+pub(crate) fn forces(mechanism: &Mechanism, posed: &impl Posed) -> Option<Forces> {
+    let forces = in_equilibrium(mechanism, posed)?;
+    let drives = power::drives(mechanism, posed, &forces)?;
+    Some(Forces { drives, ..forces })
+}
+
+/// The same from the equilibrium of the links alone, for one of many positions: its [`Forces::drives`] are empty.
+pub(crate) fn in_equilibrium(mechanism: &Mechanism, posed: &impl Posed) -> Option<Forces> {
+    let (loads, units) = &**mechanism.loads.as_ref()?;
+    let acting = acting::acting(loads, *units, mechanism, posed);
+    equilibrium::carried(mechanism, posed, acting)
+}
+
+/// A pose and its motion, whose numbers count as exact.
+pub(crate) struct AtPose<'a> {
+    pub mechanism: &'a Mechanism,
+    pub pose: &'a Pose,
+    pub state: State,
+}
+
+impl AtPose<'_> {
+    pub fn new<'a>(mechanism: &'a Mechanism, pose: &'a Pose) -> AtPose<'a> {
+        AtPose { mechanism, pose, state: bounded_motion(mechanism, pose, Order::Acceleration) }
+    }
+}
+
+impl Places for AtPose<'_> {
+    fn place(&self, point: PointId) -> Pair<Ball> {
+        self.pose.place(point)
+    }
+
+    fn arm(&self, from: PointId, to: PointId) -> Pair<Ball> {
+        Places::arm(self.pose, from, to)
+    }
+
+    fn guide(&self, slider: SliderId) -> Pair<Ball> {
+        Places::guide(self.pose, slider)
+    }
+
+    fn given(&self, number: f64) -> Ball {
+        self.pose.given(number)
+    }
+
+    fn omega(&self, body: BodyId, omega: f64) -> Ball {
+        self.pose.omega(body, omega)
+    }
+}
+
+impl Posed for AtPose<'_> {
+    fn axis(&self, body: BodyId) -> Pair<Ball> {
+        let axis = self.pose.axes[body.0].unwrap_or_else(Vector::x);
+        Pair::from(axis).unit()
+    }
+
+    fn local(&self, body: BodyId, point: PointId) -> Pair<Ball> {
+        self.mechanism.local(body, point).coords.into()
+    }
+
+    fn acceleration(&self, body: BodyId, place: Pair<Ball>) -> Pair<Ball> {
+        self.state.body(body).referred_to(place).acceleration
+    }
+
+    fn alpha(&self, body: BodyId) -> Ball {
+        self.state.body(body).alpha
+    }
+}

@@ -1,0 +1,90 @@
+//! A system of linear equations whose numbers are known within bounds.
+
+use super::{Ball, Elements, LinearSystem, Numbers};
+use nalgebra::DMatrix;
+
+/// Corrections go on until they are below this part of the solution: then only the bounds of the coefficients are left.
+const LAST_CORRECTION: f64 = 1e-24;
+
+/// A square system of linear equations with coefficients and right sides in [`Ball`]s.
+///
+/// It is solved as the loop equations are: in f64, then by corrections from residuals of twice the digits; the bound of each unknown is
+/// proved ([`Verified`](super::Verified)).
+#[derive(Clone, Debug)]
+pub struct Equations {
+    size: usize,
+    /// Of so many pairs of equations, the first ones, both are components of one vector.
+    vectors: usize,
+    /// Row by row.
+    coefficients: Vec<Ball>,
+    right: Vec<Ball>,
+}
+
+impl Equations {
+    /// `size` equations without coefficients, the first of them the components x and y of `vectors` vectors.
+    #[must_use]
+    pub fn new(size: usize, vectors: usize) -> Equations {
+        let zero = Ball::default();
+        Equations { size, vectors, coefficients: vec![zero; size * size], right: vec![zero; size] }
+    }
+
+    /// Adds to a coefficient.
+    pub fn add(&mut self, equation: usize, unknown: usize, coefficient: Ball) {
+        let own = &mut self.coefficients[equation * self.size + unknown];
+        *own = *own + coefficient;
+    }
+
+    /// Adds to a right side.
+    pub fn add_right(&mut self, equation: usize, number: Ball) {
+        self.right[equation] = self.right[equation] + number;
+    }
+
+    /// The unknowns with bounds of their errors; `None` where the equations are singular, or may be within the bounds of their
+    /// coefficients.
+    #[must_use]
+    pub fn solved(&self) -> Option<Vec<Ball>> {
+        if self.size == 0 {
+            return Some(Vec::new());
+        }
+        let rounded = DMatrix::from_fn(self.size, self.size, |row, column| self.coefficient(row, column).high);
+        let system = LinearSystem::of_vectors(rounded, self.vectors)?;
+        let off: Elements = self.coefficients.iter().map(|coefficient| coefficient.error()).collect();
+        let verified = system.verified(&off);
+        let mut solution = vec![Ball::default(); self.size];
+        let mut rest = self.right.clone();
+        let mut before = f64::INFINITY;
+        loop {
+            let right: Numbers = rest.iter().map(|x| x.high).collect();
+            let correction = system.solve(&right);
+            for (x, &more) in solution.iter_mut().zip(&correction) {
+                *x = *x + more.into();
+            }
+            let change = system.size(correction.iter().copied());
+            let size = system.size(solution.iter().map(|x| x.high));
+            // Corrections that no longer decrease are rounding.
+            if change <= LAST_CORRECTION * size || change > 0.5 * before || !change.is_finite() {
+                let uncertain: Numbers = rest.iter().map(|x| x.error()).collect();
+                let errors = verified.error_bound(&correction, &right, &uncertain);
+                let solved = solution.iter().zip(errors).map(|(x, error)| x.widened(error));
+                return Some(solved.collect::<Vec<Ball>>()).filter(|all| all.iter().all(|x| x.is_known()));
+            }
+            before = change;
+            rest = self.residuals(&solution);
+        }
+    }
+
+    fn coefficient(&self, equation: usize, unknown: usize) -> Ball {
+        self.coefficients[equation * self.size + unknown]
+    }
+
+    /// What these unknowns leave of the equations.
+    fn residuals(&self, unknowns: &[Ball]) -> Vec<Ball> {
+        let row = |(row, &right): (usize, &Ball)| {
+            let coefficients = &self.coefficients[row * self.size..][..self.size];
+            // Most coefficients are zero.
+            let there = coefficients.iter().zip(unknowns).filter(|(coefficient, _)| **coefficient != Ball::default());
+            there.fold(right, |left, (&coefficient, &x)| left - coefficient * x)
+        };
+        self.right.iter().enumerate().map(row).collect()
+    }
+}
