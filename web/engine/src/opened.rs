@@ -91,7 +91,7 @@ fn quantity(name: &str, mechanism: &Mechanism) -> Quantity {
     let plain =
         |of| Quantity { name: name.to_owned(), head: "".into(), inside: "".into(), part: "".into(), of, is_vector };
     let Some(written) = QuantityName::parse(name) else { return plain(Owner::Others) };
-    let of = match written.head.argument() {
+    let of = match written.head.argument(0) {
         Argument::Link => Owner::Link,
         Argument::Slider => Owner::Slider,
         Argument::Point if written.arguments.len() == 1 => Owner::Point,
