@@ -117,7 +117,8 @@ class Writer:
             return f"Union[{', '.join(own)}]"
         many, by_name = ("Sequence", "Mapping") if self.is_input else ("list", "dict")
         if kind == "array":
-            return f"{many}[{self.type(node['items'], name)}]"
+            # A tuple is a sequence of whatever its places take.
+            return f"{many}[{self.type(node.get('items') or {'anyOf': node['prefixItems']}, name)}]"
         if kind == "object":
             if isinstance(node.get("additionalProperties"), dict):
                 return f"{by_name}[str, {self.type(node['additionalProperties'], name)}]"

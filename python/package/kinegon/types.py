@@ -21,13 +21,25 @@ LengthUnit = Literal["m", "mm", "cm", "in", "ft"]
 TimeUnit = Literal["s", "min"]
 
 
+#: A unit of mass.
+MassUnit = Literal["kg", "g", "t", "lb", "slug", "blob"]
+
+
+#: A unit of force.
+ForceUnit = Literal["N", "kN", "mN", "kgf", "lbf"]
+
+
 class Units(TypedDict):
-    """Units of every length and time of the scene."""
+    """Units of every length and time of the scene, and of masses and forces where it has some."""
 
     length: LengthUnit
     """Unit of length."""
     time: TimeUnit
     """Unit of time."""
+    mass: NotRequired[MassUnit]
+    """Unit of mass, where links have masses."""
+    force: NotRequired[ForceUnit]
+    """Unit of force, where there are masses, forces or springs."""
     note: NotRequired[object]
     """For people; ignored"""
 
@@ -107,6 +119,10 @@ class LinkMotion(TypedDict):
     """For people; ignored"""
 
 
+#: A point of the link; coordinates in its own frame, in a drawn configuration in the fixed frame; or a distance along its axis
+LinkPlace = Union[str, Vector, float]
+
+
 class LinkFields(TypedDict):
     """A rigid link. Its axis runs from its first to its second point."""
 
@@ -122,6 +138,14 @@ class LinkFields(TypedDict):
     """Angle of the link's axis from +x in degrees, in place of that of a drive: one link may give it where one drive does not."""
     motion: NotRequired[LinkMotion]
     """Known motion of the link, in a drawn configuration."""
+    mass: NotRequired[float]
+    """Its mass, in the scene's unit of mass."""
+    weight: NotRequired[float]
+    """Its weight, in the scene's unit of force, in place of its mass."""
+    inertia: NotRequired[float]
+    """Its moment of inertia about the centre of mass, in mass · length²; left out: zero."""
+    center: NotRequired[LinkPlace]
+    """Its centre of mass: a point, coordinates in the link's own frame (in a drawn configuration in the fixed frame), or a distance along its axis."""
     note: NotRequired[object]
     """For people; ignored"""
 
@@ -169,12 +193,54 @@ class Slider(TypedDict):
     """For people; ignored"""
 
 
+class Load(TypedDict):
+    """A force or a couple on a link, in the file."""
+
+    name: NotRequired[str]
+    """Its name in tables and figures; left out: F1, F2 … for forces, M1, M2 … for couples."""
+    on: str
+    """The link on which it acts."""
+    at: NotRequired[LinkPlace]
+    """Where the force acts."""
+    force: NotRequired[Vector]
+    """The force, in the scene's unit of force."""
+    couple: NotRequired[float]
+    """The couple, in force · length, counter-clockwise positive."""
+    turns: NotRequired[bool]
+    """Whether the force turns with the link: then its components are along the link's axis and normal to it."""
+    note: NotRequired[object]
+    """For people; ignored"""
+
+
+#: An end of a spring in the file: a link or "ground", and a place of it.
+SpringEnd = Sequence[Union[str, LinkPlace]]
+
+
+class Spring(TypedDict):
+    """A spring between two places, in the file."""
+
+    name: NotRequired[str]
+    """Its name in tables and figures; left out: K1, K2 …"""
+    between: Sequence[SpringEnd]
+    """Its two ends, each a link or "ground" and a place of it."""
+    rate: float
+    """Force per length of extension."""
+    length: float
+    """Its length without a force."""
+    note: NotRequired[object]
+    """For people; ignored"""
+
+
+#: Whether inertia counts among the loads.
+Analysis = Literal["dynamic", "static"]
+
+
 #: Approximate coordinates of a point; under a key like angle(3), degrees
 NearValue = Union[Vector, float]
 
 
 #: A part of the figure.
-Panel = Literal["scheme", "velocity", "acceleration"]
+Panel = Literal["scheme", "velocity", "acceleration", "centers"]
 
 
 #: The plans for which scales are chosen that the scene does not give.
@@ -225,17 +291,23 @@ Construction = Union[bool, Literal["paper"]]
 Values = Union[bool, Literal["m", "mm", "cm", "in", "ft"]]
 
 
+#: "all", or centres by their links, as ["P(2,ground)", "P(1,3)"]
+Centers = Union[Literal["all"], Sequence[str]]
+
+
 class Figure(TypedDict):
     """What the figure shows, and how large."""
 
     panels: NotRequired[Sequence[Panel]]
-    """The panels, in order; left out: all three."""
+    """The panels, in order; left out: the scheme and both plans."""
     mu_l: NotRequired[float]
     """Scale of the scheme: units of length per millimetre of paper."""
     mu_v: NotRequired[float]
     """Scale of the velocity plan: units of velocity per millimetre of paper."""
     mu_a: NotRequired[float]
     """Scale of the acceleration plan: units of acceleration per millimetre of paper."""
+    mu_c: NotRequired[float]
+    """Scale of the figure of instant centres: units of length per millimetre of paper."""
     scales: NotRequired[ScalesFor]
     """For which plans scales are chosen that are not given; left out: "position"."""
     focus: NotRequired[Panel]
@@ -282,6 +354,10 @@ class Figure(TypedDict):
     """Links whose inflection circles are drawn in the scheme, through instant centre and inflection pole."""
     ghosts: NotRequired[int]
     """Number of equally spaced positions over that cycle in which the links are drawn pale; left out: none."""
+    centers: NotRequired[Centers]
+    """The instant centres on the panel "centers", besides those that lead to them: "all", or a list of names, as ["P(2,ground)"]. Left out: all of a mechanism with at most four links, of a larger one those of all links with the frame."""
+    velocities: NotRequired[Sequence[str]]
+    """Points of links whose velocities that panel shows, found by centres from the one driven link."""
     markers: NotRequired[bool]
     """Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a photograph of them is read; left out: true."""
     note: NotRequired[object]
@@ -310,6 +386,14 @@ class SceneFile(_SceneFileKeys):
     """The links by name. A point named in two links is a revolute joint between them."""
     sliders: NotRequired[Sequence[Slider]]
     """Links that slide along straight guides, and pins that ride in slots."""
+    gravity: NotRequired[Vector]
+    """The acceleration of free fall, in length per time²; left out: zero."""
+    forces: NotRequired[Sequence[Load]]
+    """Forces and couples on links."""
+    springs: NotRequired[Sequence[Spring]]
+    """Springs between links."""
+    analysis: NotRequired[Analysis]
+    """Whether inertia counts among the loads; left out: dynamic."""
     near: NotRequired[Mapping[str, NearValue]]
     """Approximate coordinates of some points, and angles of links as "angle(3)", to choose the assembly mode. The one with the least sum of squared distances from them is taken; an angle counts as its chord at a radius of the mechanism's size. A slotted lever with one point has its slider on the positive side of `through`, unless its angle stands here."""
     figure: NotRequired[Figure]
@@ -607,6 +691,10 @@ class ResultUnits(TypedDict):
     """Unit of length."""
     time: str
     """Unit of time."""
+    mass: NotRequired[Union[str, None]]
+    """Unit of mass."""
+    force: NotRequired[Union[str, None]]
+    """Unit of force; moments are in force · length."""
 
 
 class LinkResult(TypedDict):
@@ -708,6 +796,94 @@ class GroupResult(_GroupResultKeys):
 QuantityResult = Union[float, list[float]]
 
 
+class ForceResult(TypedDict):
+    """A force."""
+
+    force: list[float]
+    """Its components."""
+    force_error: NotRequired[Union[float, None]]
+    """Bound on the error of both components."""
+
+
+class GuideForceResult(TypedDict):
+    """What a sliding link receives from its guide."""
+
+    normal: float
+    """The force across the guide, along its direction turned by +90°."""
+    normal_error: NotRequired[Union[float, None]]
+    """Bound on the error of `normal`."""
+    couple: float
+    """The couple, about the slider's point."""
+    couple_error: NotRequired[Union[float, None]]
+    """Bound on the error of `couple`."""
+    offset: NotRequired[Union[float, None]]
+    """How far from the slider's point along the guide the line of the force runs; left out where there is no force across the guide."""
+    offset_error: NotRequired[Union[float, None]]
+    """Bound on the error of `offset`."""
+
+
+class DriveResult(TypedDict):
+    """What a drive needs."""
+
+    torque: NotRequired[Union[float, None]]
+    """The torque on the link that it turns."""
+    force: NotRequired[Union[float, None]]
+    """The force along the guide on the sliding link that it pushes."""
+    error: NotRequired[Union[float, None]]
+    """Bound on the error of the torque or force."""
+    powers: dict[str, float]
+    """By load: its power while this drive runs at rate 1 and the others stand. The torque or force is the negative sum."""
+
+
+class InertiaResult(TypedDict):
+    """The inertia of a link."""
+
+    center: list[float]
+    """Where the centre of mass is."""
+    acceleration: list[float]
+    """The acceleration of the centre of mass."""
+    force: list[float]
+    """The inertia force, −m a."""
+    force_error: NotRequired[Union[float, None]]
+    """Bound on the error of both components of `force`."""
+    couple: float
+    """The inertia couple, −J α."""
+    couple_error: NotRequired[Union[float, None]]
+    """Bound on the error of `couple`."""
+
+
+class FrameResult(TypedDict):
+    """What the links do to the frame."""
+
+    force: list[float]
+    """The force."""
+    force_error: NotRequired[Union[float, None]]
+    """Bound on the error of both components."""
+    moment: float
+    """The moment about the frame's first point."""
+    moment_error: NotRequired[Union[float, None]]
+    """Bound on the error of `moment`."""
+
+
+class ForcesResult(TypedDict):
+    """What joints carry and what drives need, in the scene's unit of force; moments in force · length, counter-clockwise positive."""
+
+    reactions: dict[str, dict[str, ForceResult]]
+    """By pin, then by link or `ground`: the force that it receives there from all others; those of a pin add up to zero."""
+    sliders: dict[str, GuideForceResult]
+    """By slider: what its sliding link receives from the guide."""
+    drives: dict[str, DriveResult]
+    """By drive: what it needs."""
+    inertia: dict[str, InertiaResult]
+    """By link: its inertia, where it has a mass."""
+    frame: FrameResult
+    """What the links and springs do to the frame: the shaking force, and the moment about the frame's first point."""
+    disagreement: float
+    """The largest difference between the two routes to the drives' torques, equilibrium of the links and virtual power, in parts of the largest power of a load."""
+    disagreement_allowed: float
+    """The difference that rounding allows."""
+
+
 #: An instant centre: its place, or the direction in which it lies at infinity.
 CenterResult = SceneFile
 
@@ -738,6 +914,8 @@ class PencilResult(TypedDict):
     """Scale of the velocity plan."""
     mu_a: NotRequired[Union[float, None]]
     """Scale of the acceleration plan."""
+    mu_c: NotRequired[Union[float, None]]
+    """Scale of the figure of instant centres: units of length per millimetre of paper."""
     bands: dict[str, BandResult]
     """By quantity name: what an honest drawing gives. A vector stands here by its `.size` and its `.angle`."""
     without: NotRequired[dict[str, str]]
@@ -765,6 +943,8 @@ class Result(TypedDict):
     """The quantities that the scene's `want` asks for."""
     quantity_errors: dict[str, Union[float, None]]
     """By quantity name: bound on its error, of a vector that of each component, of an angle in degrees."""
+    forces: NotRequired[Union[ForcesResult, None]]
+    """What joints carry and drives need; only of a scene with loads."""
     centers: NotRequired[dict[str, Union[CenterResult, None]]]
     """By name, as in `P(1,3)`: the instant centres that the scene's `want` asks for; null where the links rest on one another, or no place can be found."""
     pencil: NotRequired[Union[PencilResult, None]]
@@ -936,6 +1116,8 @@ class KeyScales(TypedDict):
     """Of the velocity plan."""
     mu_a: NotRequired[float]
     """Of the acceleration plan."""
+    mu_c: NotRequired[float]
+    """Of the figure of instant centres."""
 
 
 class KeyValue(TypedDict):
@@ -968,13 +1150,15 @@ class FigureKeys(TypedDict, total=False):
     """Keys of a figure as keywords, but its style; None takes one out."""
 
     panels: Sequence[Panel] | None
-    """The panels, in order; left out: all three."""
+    """The panels, in order; left out: the scheme and both plans."""
     mu_l: float | None
     """Scale of the scheme: units of length per millimetre of paper."""
     mu_v: float | None
     """Scale of the velocity plan: units of velocity per millimetre of paper."""
     mu_a: float | None
     """Scale of the acceleration plan: units of acceleration per millimetre of paper."""
+    mu_c: float | None
+    """Scale of the figure of instant centres: units of length per millimetre of paper."""
     scales: ScalesFor | None
     """For which plans scales are chosen that are not given; left out: "position"."""
     focus: Panel | None
@@ -1019,6 +1203,10 @@ class FigureKeys(TypedDict, total=False):
     """Links whose inflection circles are drawn in the scheme, through instant centre and inflection pole."""
     ghosts: int | None
     """Number of equally spaced positions over that cycle in which the links are drawn pale; left out: none."""
+    centers: Centers | None
+    """The instant centres on the panel "centers", besides those that lead to them: "all", or a list of names, as ["P(2,ground)"]. Left out: all of a mechanism with at most four links, of a larger one those of all links with the frame."""
+    velocities: Sequence[str] | None
+    """Points of links whose velocities that panel shows, found by centres from the one driven link."""
     markers: bool | None
     """Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a photograph of them is read; left out: true."""
 
