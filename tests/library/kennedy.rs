@@ -6,6 +6,7 @@ use kinegon::construction::kennedy::chain::{Homogeneous, Places, Way, ways};
 use kinegon::construction::kennedy::order::{Crossed, Diagram, Lines, Two, reach, shortest, two};
 use kinegon::construction::{CenterOrigin, Centers, FigureOf};
 use kinegon::geometry::{Place, span};
+use kinegon::mechanism::{BodyId, GROUND};
 use nalgebra::{DMatrix, Vector2};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
@@ -341,11 +342,15 @@ fn of_random_mechanisms() {
             let mut scene: Value = serde_json::from_str(&text).expect("a scene");
             scene["figure"] = json!({ "panels": ["centers"], "centers": "all" });
             let Ok(solution) = solved(&scene.to_string()) else { continue };
-            // A group on the frame alone stands still: its centres with the crank hang on its rest, on no line.
-            let is_moved = |(id, _): (_, _)| {
-                solution.motion.body(id).omega != 0.0 || solution.motion.body(id).velocity.norm() > 0.0
+            // A group on the frame or on the crank alone rests on it: its other centres lie on no line.
+            let size = span(solution.pose.points.iter().copied());
+            let ids: Vec<BodyId> = std::iter::once(GROUND).chain(solution.mechanism.links().map(|(id, _)| id)).collect();
+            let rests = |a: BodyId, b: BodyId| {
+                let [a, b] = [a, b].map(|id| *solution.motion.body(id));
+                let at = solution.pose.points[0];
+                (a.omega - b.omega).abs() <= 1e-9 && (a.velocity_at(at) - b.velocity_at(at)).norm() <= 1e-9 * size
             };
-            if !solution.mechanism.links().all(is_moved) {
+            if ids.iter().enumerate().any(|(index, &a)| ids[index + 1..].iter().any(|&b| rests(a, b))) {
                 continue;
             }
             let centers = centers(&solution);
@@ -359,5 +364,5 @@ fn of_random_mechanisms() {
         }
     }
     println!("{made} mechanisms, {lines} centres by lines");
-    assert!(made > 60 && lines > 300);
+    assert!(made > 30 && lines > 150);
 }
