@@ -77,8 +77,12 @@ impl Model {
         let (mut construction, readings) = read_by_hand(solution, &asked);
         given_first(&mut construction.operations);
         let given = mu.or(key.scales);
-        let mut scales = PerSheet::default();
-        for (sheet, scale) in scales.iter_mut() {
+        let mut scales = PerSheet::from_fn(|_| 1.0);
+        // On a sheet that nobody asks for nothing is drawn.
+        let is_drawn = |sheet: Sheet| {
+            Sheet::USUAL.contains(&sheet) || construction.operations.iter().any(|operation| operation.sheet == sheet)
+        };
+        for (sheet, scale) in scales.iter_mut().filter(|(sheet, _)| is_drawn(*sheet)) {
             *scale = given[sheet].ok_or_else(|| {
                 let hint = says::add_scale_or_panel(sheet.facts().scale_key);
                 CheckError::new(says::no_sheet(sheet_told(sheet)), hint)

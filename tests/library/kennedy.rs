@@ -344,7 +344,8 @@ fn of_random_mechanisms() {
             let Ok(solution) = solved(&scene.to_string()) else { continue };
             // A group on the frame or on the crank alone rests on it: its other centres lie on no line.
             let size = span(solution.pose.points.iter().copied());
-            let ids: Vec<BodyId> = std::iter::once(GROUND).chain(solution.mechanism.links().map(|(id, _)| id)).collect();
+            let ids: Vec<BodyId> =
+                std::iter::once(GROUND).chain(solution.mechanism.links().map(|(id, _)| id)).collect();
             let rests = |a: BodyId, b: BodyId| {
                 let [a, b] = [a, b].map(|id| *solution.motion.body(id));
                 let at = solution.pose.points[0];

@@ -354,5 +354,9 @@ fn a_refusal_has_its_place_in_utf_16() {
 #[test]
 fn the_schema_is_current() {
     let schema = format!("{:#}\n", kinegon_web::schema());
-    assert!(schema == read("web/engine/schema.json"), "web/README.md says how it is made");
+    if schema != read("web/engine/schema.json") {
+        let now = support::files::path("target/tmp/engine-schema.json");
+        std::fs::write(&now, schema).expect("it can be written");
+        panic!("it is {} now; web/README.md says how it is made", now.display());
+    }
 }
