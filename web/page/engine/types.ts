@@ -235,6 +235,14 @@ export type SceneLengthUnit = "m" | "mm" | "cm" | "in" | "ft";
  * A unit of time.
  */
 export type SceneTimeUnit = "s" | "min";
+/**
+ * A unit of mass.
+ */
+export type SceneMassUnit = "kg" | "g" | "t" | "lb" | "slug" | "blob";
+/**
+ * A unit of force.
+ */
+export type SceneForceUnit = "N" | "kN" | "mN" | "kgf" | "lbf";
 export type SceneGround =
   | {
       [k: string]: SceneVector;
@@ -254,9 +262,24 @@ export type SceneShapePoint = SceneVector | number;
  */
 export type SceneNameOrPlace = string | SceneVector;
 /**
+ * A point of the link; coordinates in its own frame, in a drawn configuration in the fixed frame; or a distance along its axis
+ */
+export type SceneLinkPlace = string | SceneVector | number;
+/**
  * Two points of the guide's carrier as "BE" or "B-E"; or degrees; or [dx, dy]
  */
 export type SceneDirection = string | number | SceneVector;
+/**
+ * An end of a spring in the file: a link or "ground", and a place of it.
+ *
+ * @minItems 2
+ * @maxItems 2
+ */
+export type SceneSpringEnd = [unknown, unknown];
+/**
+ * Whether inertia counts among the loads.
+ */
+export type SceneAnalysis = "dynamic" | "static";
 /**
  * Approximate coordinates of a point; under a key like angle(3), degrees
  */
@@ -285,6 +308,10 @@ export type SceneSliding = "slider" | "points";
  * The index of the Coriolis part of an acceleration.
  */
 export type SceneCoriolis = "c" | "C" | "k" | "cor";
+/**
+ * The letter of instant centres.
+ */
+export type SceneCenter = "P" | "I" | "CIR";
 /**
  * The number of the frame, in place of the word for it.
  */
@@ -2209,6 +2236,22 @@ export interface SceneFile {
    */
   sliders?: SceneSlider[];
   /**
+   * The acceleration of free fall, in length per time²; left out: zero.
+   */
+  gravity?: SceneVector;
+  /**
+   * Forces and couples on links.
+   */
+  forces?: SceneLoad[];
+  /**
+   * Springs between links.
+   */
+  springs?: SceneSpring[];
+  /**
+   * Whether inertia counts among the loads; left out: dynamic.
+   */
+  analysis?: SceneAnalysis;
+  /**
    * Approximate coordinates of some points, and angles of links as "angle(3)", to choose the assembly mode.
    * The one with the least sum of squared distances from them is taken; an angle counts as its chord at a radius of the mechanism's size.
    * A slotted lever with one point has its slider on the positive side of `through`, unless its angle stands here.
@@ -2242,7 +2285,7 @@ export interface SceneFile {
   $schema?: string;
 }
 /**
- * Units of every length and time of the scene.
+ * Units of every length and time of the scene, and of masses and forces where it has some.
  */
 export interface SceneUnits {
   /**
@@ -2253,6 +2296,14 @@ export interface SceneUnits {
    * Unit of time.
    */
   time: SceneTimeUnit;
+  /**
+   * Unit of mass, where links have masses.
+   */
+  mass?: SceneMassUnit;
+  /**
+   * Unit of force, where there are masses, forces or springs.
+   */
+  force?: SceneForceUnit;
 }
 /**
  * A vector by size and angle.
@@ -2312,6 +2363,22 @@ export interface SceneLinkFields {
    * Known motion of the link, in a drawn configuration.
    */
   motion?: SceneLinkMotion;
+  /**
+   * Its mass, in the scene's unit of mass.
+   */
+  mass?: number;
+  /**
+   * Its weight, in the scene's unit of force, in place of its mass.
+   */
+  weight?: number;
+  /**
+   * Its moment of inertia about the centre of mass, in mass · length²; left out: zero.
+   */
+  inertia?: number;
+  /**
+   * Its centre of mass: a point, coordinates in the link's own frame (in a drawn configuration in the fixed frame), or a distance along its axis.
+   */
+  center?: SceneLinkPlace;
 }
 /**
  * A drive: it turns the link (angle, omega or rpm, alpha), or pushes a sliding link (position, speed, acceleration).
@@ -2428,6 +2495,56 @@ export interface SceneSliderDrive {
   acceleration?: number;
 }
 /**
+ * A force or a couple on a link, in the file.
+ */
+export interface SceneLoad {
+  /**
+   * Its name in tables and figures; left out: F1, F2 … for forces, M1, M2 … for couples.
+   */
+  name?: string;
+  /**
+   * The link on which it acts.
+   */
+  on: string;
+  /**
+   * Where the force acts.
+   */
+  at?: SceneLinkPlace;
+  /**
+   * The force, in the scene's unit of force.
+   */
+  force?: SceneVector;
+  /**
+   * The couple, in force · length, counter-clockwise positive.
+   */
+  couple?: number;
+  /**
+   * Whether the force turns with the link: then its components are along the link's axis and normal to it.
+   */
+  turns?: boolean;
+}
+/**
+ * A spring between two places, in the file.
+ */
+export interface SceneSpring {
+  /**
+   * Its name in tables and figures; left out: K1, K2 …
+   */
+  name?: string;
+  /**
+   * Its two ends, each a link or "ground" and a place of it.
+   */
+  between: SceneSpringEnd[];
+  /**
+   * Force per length of extension.
+   */
+  rate: number;
+  /**
+   * Its length without a force.
+   */
+  length: number;
+}
+/**
  * What the figure shows, and how large.
  */
 export interface SceneFigure {
@@ -2498,6 +2615,10 @@ export interface SceneFigure {
    */
   coriolis?: SceneCoriolis;
   /**
+   * How instant centres are written: P_13, I_13 or CIR_13; left out: "P".
+   */
+  center_letter?: SceneCenter;
+  /**
    * The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word.
    */
   frame?: SceneFrame;
@@ -2545,6 +2666,14 @@ export interface SceneFigure {
    * reaches there if another link moves it; left out: false.
    */
   beyond_limits?: boolean;
+  /**
+   * Links whose centrodes over that cycle are drawn in the scheme: the curves of the instant centre of the link and the frame, in the frame and in the link.
+   */
+  centrodes?: string[];
+  /**
+   * Links whose inflection circles are drawn in the scheme, through instant centre and inflection pole.
+   */
+  inflection?: string[];
   /**
    * Number of equally spaced positions over that cycle in which the links are drawn pale; left out: none.
    */
