@@ -46,7 +46,9 @@ impl Sheets {
     }
 
     fn scales(&self) -> PerSheet<f64> {
-        self.solution.scales().map(|scale| scale.expect("all three panels"))
+        let scales = self.solution.scales();
+        // Nothing is drawn on a sheet that no panel shows.
+        PerSheet::from_fn(|sheet| scales[sheet].filter(|_| Sheet::USUAL.contains(&sheet)).unwrap_or(1.0))
     }
 
     /// The number from which a quantity is read.

@@ -64,7 +64,7 @@ fn a_layout_eases_over() {
     let longer =
         solved(&files::read("templates/four-bar.json").replace("\"AB\": 60", "\"AB\": 50")).expect("it can be");
     let [before, after] = [&own, &longer].map(|one| HeldLayout::of_cycle(one, None, None, None));
-    let bars = |layout: &HeldLayout| Sheet::ALL.map(|sheet| layout.mu(sheet).expect("it has that panel"));
+    let bars = |layout: &HeldLayout| Sheet::USUAL.map(|sheet| layout.mu(sheet).expect("it has that panel"));
     let at = |share| bars(&after.eased_from(&before, share));
     assert_eq!([at(0.0), at(1.0)], [bars(&before), bars(&after)]);
     assert_eq!(after.eased_from(&before, 0.0).draw(&own, None).panels, before.draw(&own, None).panels);

@@ -59,8 +59,8 @@ fn every_kind_gives_exercises_that_a_hand_draws_well() {
         assert!(conditions.fold(1.0, f64::max) <= 40.0, "{kind}");
         // The scales stand in the file, of the series 1, 2, 2.5, 5.
         let figure = &solution.scene.figure;
-        for (_, mu) in figure.mu.iter() {
-            let digits = format!("{:e}", mu.unwrap_or_else(|| panic!("{kind}: no scale")));
+        for sheet in Sheet::USUAL {
+            let digits = format!("{:e}", figure.mu[sheet].unwrap_or_else(|| panic!("{kind}: no scale")));
             let digits = digits.split('e').next().unwrap_or_default();
             assert!(["1", "2", "2.5", "5"].contains(&digits), "{kind}: {digits}");
         }

@@ -195,7 +195,7 @@ impl Task {
             place: format!("values.{name}").into(),
         });
         Measured {
-            mu: kinegon::PerSheet::from_fn(|sheet| Some(self.scheme.scales[sheet as usize])),
+            mu: kinegon::PerSheet::from_fn(|sheet| self.scheme.scales.get(sheet as usize).copied()),
             positive: Some(Positive::CounterClockwise),
             values: values.collect(),
             ..Measured::default()
