@@ -20,7 +20,7 @@
 //!
 //! # Bounds
 //!
-//! All numbers are [`Ball`](crate::geometry::Ball)s, and the same code runs at a pose and within an enclosure of the true position and
+//! All numbers are [`Ball`]s, and the same code runs at a pose and within an enclosure of the true position and
 //! motion (`accuracy/`): a stated error is the distance of the one from the other.
 
 mod acting;
