@@ -277,8 +277,10 @@ pub(super) fn loads(
     }
     let mut taken = IndexSet::new();
     let mut loads = Vec::new();
+    // Forces and couples so far.
+    let mut counted = [0, 0];
     for (index, file) in forces.unwrap_or_default().into_iter().enumerate() {
-        let load = places.load(file, &mut taken, &loads);
+        let load = places.load(file, &mut taken, &mut counted);
         loads.push(load.map_err(|wrong| wrong.inside(&["forces", &index.to_string()]))?);
     }
     let mut sprung = Vec::new();
@@ -308,7 +310,7 @@ impl Places<'_> {
         }
     }
 
-    fn load(&self, file: LoadFile, taken: &mut IndexSet<String>, before: &[Load]) -> Result<Load, Wrong> {
+    fn load(&self, file: LoadFile, taken: &mut IndexSet<String>, counted: &mut [usize; 2]) -> Result<Load, Wrong> {
         let LoadFile { name, on, at, force, couple, turns } = file;
         self.names.link(&["on"], &on)?;
         if force.is_none() && couple.is_none() {
@@ -324,11 +326,9 @@ impl Places<'_> {
             let message = if force.is_none() { says::couple_turns() } else { says::turns_is_drawn() };
             return Err(Wrong::key(&["turns"], message).hint(says::leave_key_out()));
         }
-        let (letter, count) = match force {
-            Some(_) => ("F", before.iter().filter(|load| load.force != [0.0; 2]).count()),
-            None => ("M", before.iter().filter(|load| load.force == [0.0; 2]).count()),
-        };
-        let name = own_name(name, letter, count, taken)?;
+        let (letter, count) = if force.is_some() { ("F", &mut counted[0]) } else { ("M", &mut counted[1]) };
+        *count += 1;
+        let name = own_name(name, letter, *count, taken)?;
         let force = force.map_or([0.0; 2], |Vector(force)| force);
         Ok(Load { name, on, at, force, couple: couple.unwrap_or(0.0), turns: turns.unwrap_or(false) })
     }
@@ -346,7 +346,7 @@ impl Places<'_> {
         if ends[0].on == ends[1].on {
             return Err(Wrong::value(&["between"], says::spring_within_link()).hint(says::spring_between_links()));
         }
-        Ok(Spring { name: own_name(name, "K", index, taken)?, ends, rate, length })
+        Ok(Spring { name: own_name(name, "K", index + 1, taken)?, ends, rate, length })
     }
 
     fn end(&self, EndFile(on, at): EndFile) -> Result<SpringEnd, Wrong> {
@@ -366,8 +366,8 @@ impl Places<'_> {
 }
 
 /// The given name of a load, or its letter and number; each stands once.
-fn own_name(given: Option<String>, letter: &str, before: usize, taken: &mut IndexSet<String>) -> Result<String, Wrong> {
-    let name = given.unwrap_or_else(|| format!("{letter}{}", before + 1));
+fn own_name(given: Option<String>, letter: &str, number: usize, taken: &mut IndexSet<String>) -> Result<String, Wrong> {
+    let name = given.unwrap_or_else(|| format!("{letter}{number}"));
     if name.trim().is_empty() || name.contains(['(', ')', ',']) {
         return Err(Wrong::value(&["name"], says::load_name(&name)).hint(says::other_load_name()));
     }
