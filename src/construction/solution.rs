@@ -2,6 +2,7 @@
 
 use super::constructed::{Construction, Extent};
 use super::cut::{Special, SpecialId, special_points};
+use super::kennedy::missing_of_centers;
 use super::leg::DrawnSpecial;
 use super::markup::{no_construction, plain_text};
 use super::step::Action;
@@ -90,7 +91,11 @@ impl Solution {
         let found = [&self.mechanism.warnings, &self.pose.warnings, &self.motion.warnings];
         let words = Wording { language, ..Wording::default() };
         let without = self.construction.without().map(move |far| plain_text(&no_construction(&words, far)));
-        found.into_iter().flatten().map(|warning| language.says(warning)).chain(without)
+        let own = Wording { language, ..self.wording() };
+        let centers = self.construction.centers.as_deref();
+        let centers = centers.map(|centers| missing_of_centers(centers, &self.mechanism, &own)).unwrap_or_default();
+        let centers = centers.into_iter().map(|sentence| plain_text(&sentence));
+        found.into_iter().flatten().map(|warning| language.says(warning)).chain(without).chain(centers)
     }
 }
 

@@ -135,8 +135,15 @@ struct CentersOnPaper<'a> {
 }
 
 impl CentersOnPaper<'_> {
+    /// The symbol of a centre.
     fn symbol(&self, center: &Center) -> String {
-        self.context.teller().center_symbol(center.pair, center.figure)
+        self.context.center_symbol(center.pair, center.figure)
+    }
+
+    /// The symbol of a centre, with that of the special point that it is: `P_{20} = S_{2}`.
+    fn named(&self, center: &Center) -> String {
+        let own = self.symbol(center);
+        self.special_at(center).map_or_else(|| own.clone(), |special| format!("{own} = {special}"))
     }
 
     /// Where a centre stands on the panel; none of one that is at infinity or off the panel.
@@ -190,24 +197,19 @@ impl CentersOnPaper<'_> {
 
     /// The marks and names of the centres on the panel; those in one place share a label.
     fn marks(&self, canvas: &mut Canvas<'_>) {
-        let teller = self.context.teller();
         let mut all: Vec<(Point, (String, String, u16))> = Vec::new();
         for (index, center) in self.centers.all.iter().enumerate() {
             let Some(at) = self.shown(canvas, center.place) else { continue };
             canvas.step = self.steps.centers[index];
             mark(canvas, &center.name, at, center.is_permanent());
-            let mut symbol = self.symbol(center);
-            if let Some(special) = self.special_at(center) {
-                symbol = format!("{symbol} = {special}");
-            }
-            all.push((at, (center.name.clone(), symbol, canvas.step)));
+            all.push((at, (center.name.clone(), self.named(center), canvas.step)));
         }
         for (pair, place) in &self.centers.by_rates {
             let Some(at) = place.and_then(|place| self.shown(canvas, place)) else { continue };
             canvas.step = self.steps.by_rates;
             let name = pair.name(self.context.mechanism());
             mark(canvas, &name, at, false);
-            all.push((at, (name, teller.center_symbol(*pair, FigureOf::Mechanism), canvas.step)));
+            all.push((at, (name, self.context.center_symbol(*pair, FigureOf::Mechanism), canvas.step)));
         }
         let middle = self.view.at(self.context.facts.middle);
         for (at, here) in together(all.into_iter(), SHARED) {
@@ -232,13 +234,12 @@ impl CentersOnPaper<'_> {
     fn special_at(&self, center: &Center) -> Option<String> {
         let place = center.place.finite().filter(|_| center.figure == FigureOf::Mechanism && !center.is_permanent())?;
         let near = 1e-9 * span(self.context.solution.pose.points.iter().copied());
-        let special =
-            self.context.construction().special.iter().filter(|special| special.is_assur).find(|special| {
-                let bases = special.cuts.each_ref().map(|cut| cut.leg.base);
-                let is_its = bases[0] == bases[1] && center.pair.other(special.link) == Some(bases[0]);
-                is_its && special.place.finite().is_some_and(|own| (own - place).norm() <= near)
-            })?;
-        Some(self.context.facts.markup(&special.name))
+        let special = self.context.special().find(|special| {
+            let bases = special.cuts.each_ref().map(|cut| cut.leg.base);
+            let is_its = bases[0] == bases[1] && center.pair.other(special.link) == Some(bases[0]);
+            is_its && special.place.finite().is_some_and(|own| (own - place).norm() <= near)
+        })?;
+        Some(self.context.told(&special.name, None))
     }
 
     /// Arrows at the edge towards the centres off the panel, with their distances.
@@ -249,7 +250,7 @@ impl CentersOnPaper<'_> {
             }
             let Some((line, edge, along)) = self.way_to(canvas, center) else { continue };
             canvas.step = self.steps.centers[index];
-            let symbol = self.symbol(center);
+            let symbol = self.named(center);
             let start =
                 line.through.iter().map(|id| self.centers.get(*id)).find(|center| center.place.finite().is_some());
             let words = match (center.place, start.and_then(|start| Some((start, start.place.finite()?)))) {
@@ -294,7 +295,10 @@ impl CentersOnPaper<'_> {
     fn arrow(&self, canvas: &mut Canvas<'_>, name: &str, [tail, tip]: [Point; 2], (words, symbol): (&str, &str)) {
         canvas.draw_named(&format!("center-{name}"), Pen::Special, canvas.arrow(tail, tip));
         let request = LabelRequest::new(RichText::plain(words), tail, 1.0, None, 3);
-        canvas.ask(name, request).short = Some(RichText::math(symbol));
+        let asked = canvas.ask(name, request);
+        // Far from its arrow the distance would say nothing.
+        asked.short = Some(RichText::math(symbol));
+        asked.request.may_stand_apart = false;
     }
 
     /// Arrows at the blocks towards the permanent centres at infinity.
@@ -331,7 +335,7 @@ impl CentersOnPaper<'_> {
             }
             canvas.draw_named(&format!("velocity-{name}"), Pen::Velocity, canvas.arrow(at, tip));
             let value = self.context.words.write(velocity.velocity.norm(), VALUE);
-            let symbol = RichText::math(&format!("v_{{{name}}}"));
+            let symbol = RichText::math(&format!("v_{{{}}}", self.context.told(name, None)));
             let value = format!("= {value} {}", QuantityKind::Velocity.unit(units));
             let text = symbol.clone().followed_by(&RichText::plain(&value));
             let request = LabelRequest::new(text, at.lerp(tip, 0.75), 1.0, None, 2);

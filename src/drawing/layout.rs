@@ -57,11 +57,16 @@ pub(super) struct Needs {
     pub is_part: bool,
 }
 
+/// How much the size of the figure of centres counts beside that of another panel.
+const OF_CENTERS: f64 = 2.0;
+
 impl Needs {
     /// Those of a panel with the usual white, at a scale that fits.
     pub(super) fn usual(sheet: Sheet, extent: Extent, heading: f64) -> Needs {
         let white = WHITE[usize::from(sheet.order().is_none())];
-        Needs { sheet, extent, heading, scale: 0.0, above: 0.0, rows: 0, mu: None, white, weight: 1.0, is_part: false }
+        // The figure of centres shows what the scheme shows, and lines and names among it.
+        let weight = if sheet == Sheet::Centers { OF_CENTERS } else { 1.0 };
+        Needs { sheet, extent, heading, scale: 0.0, above: 0.0, rows: 0, mu: None, white, weight, is_part: false }
     }
 
     /// These at scales with steps, of which most leave more white than labels need.

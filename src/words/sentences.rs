@@ -168,8 +168,11 @@ sentences! {
     path_of(point, unit);
     centrodes(links);
     no_centrodes(links);
-    inflection_circle(link, diameter);
+    inflection_circle(link, diameter, center, pole);
     no_inflection_circle(link);
+    /// Of links without relative motion.
+    no_centers(centers);
+    no_velocities_by_centers(points);
     /// At another assembly mode.
     mode(number);
     modes_left_out(count);

@@ -50,6 +50,9 @@ impl Writer<'_> {
         for velocity in velocities {
             self.velocity_by_centers(velocity);
         }
+        let centers = self.drawn_centers();
+        let is_found = |point: &PointId| centers.velocities.iter().any(|found| found.point == *point);
+        centers.without_velocity = points.iter().copied().filter(|point| !is_found(point)).collect();
     }
 
     pub(super) fn drawn_centers(&mut self) -> &mut Centers {

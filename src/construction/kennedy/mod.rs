@@ -2,14 +2,16 @@
 //! them a second route beside the centres of the computed motion, with which they are compared.
 //!
 //! In reading order: `order` (which lines, and how few), `chain` (where they cross, and what is done where they do not suffice), `draw`, which
-//! writes the operations and steps, `velocity` (angular velocities and velocities by distances of centres), `told` (captions and equations).
+//! writes the operations and steps, `velocity` (angular velocities and velocities by distances of centres), `symbol` and `told` (symbols, captions and equations).
 
 pub mod chain;
 mod draw;
 pub mod order;
+mod symbol;
 mod told;
 mod velocity;
 
+pub use symbol::missing_of_centers;
 pub use velocity::CenterVelocity;
 
 use super::constructed::Agreement;
@@ -37,6 +39,8 @@ pub struct Centers {
     pub agreement: Option<Agreement>,
     /// Velocities by centres.
     pub velocities: Vec<CenterVelocity>,
+    /// The points whose velocities were asked for and do not follow from centres.
+    pub without_velocity: Vec<PointId>,
 }
 
 /// An instant centre on the sheet.

@@ -1,7 +1,8 @@
 //! What is said of instant centres: captions, equations and symbols.
 
+use super::symbol::{link_in_words, symbol};
 use super::{Center, CenterId, CenterLine, CenterOrigin, CenterVelocity, FigureOf, Spot};
-use crate::centers::LinkPair;
+use crate::centers::{LinkPair, link_in_index};
 use crate::construction::markup::{Formula, display, rate_symbol};
 use crate::construction::number::Rate;
 use crate::construction::sentence::Teller;
@@ -11,25 +12,15 @@ use crate::mechanism::{BodyId, GROUND};
 use crate::sheet::{Order, QuantityKind};
 
 impl Teller<'_> {
-    /// The symbol of the centre of two links in markup, as `P_{13}`, with the frame as 0 unless a link or the frame has another number; of a centre without
-    /// a link with primes.
+    /// The symbol of the centre of two links in markup, as `P_{13}`; of a centre without a link with primes.
     #[must_use]
     pub fn center_symbol(&self, pair: LinkPair, figure: FigureOf) -> String {
-        let names = pair.links().map(|link| self.link_in_symbol(link));
-        let is_long = names.iter().any(|name| name.chars().count() > 1);
-        format!("P{}_{{{}}}", "′".repeat(figure.primes()), names.join(if is_long { "," } else { "" }))
+        symbol(pair, figure, self.mechanism, self.words)
     }
 
     /// A link in the index of a symbol.
-    #[must_use]
-    pub fn link_in_symbol(&self, link: BodyId) -> &str {
-        let body = self.mechanism.body(link);
-        match (link, self.words.notation.frame) {
-            (GROUND, Some(_)) => self.words.ground(),
-            (GROUND, None) if self.mechanism.link("0").is_none() => "0",
-            (GROUND, None) => self.words.ground(),
-            _ => &body.name,
-        }
+    fn link_in_symbol(&self, link: BodyId) -> String {
+        link_in_index(link, self.mechanism, &self.words.notation, &|name| link_in_words(name, self.mechanism, self.words))
     }
 
     fn symbol_of(&self, id: CenterId) -> String {
@@ -77,7 +68,7 @@ impl Teller<'_> {
                 let FigureOf::Glued { without, together, .. } = *figure else { return None };
                 let [a, b] = together.links().map(|link| self.link_in_symbol(link));
                 let center = self.center_symbol(*center, *figure);
-                language.leave_out(self.link_in_symbol(without), a, b, &center)
+                language.leave_out(&self.link_in_symbol(without), &a, &b, &center)
             }
             Action::CentersByRates(pairs) => {
                 let symbols: Vec<String> =
@@ -88,7 +79,7 @@ impl Teller<'_> {
                 let common = LinkPair::new(*link, *driver)?;
                 let [driver, own] = [*driver, *link].map(|link| self.link_in_symbol(link));
                 let symbol = self.center_symbol(common, FigureOf::Mechanism);
-                language.rate_by_centers(&self.omega(*link), driver, own, &symbol)
+                language.rate_by_centers(&self.omega(*link), &driver, &own, &symbol)
             }
             Action::VelocityByCenters(index) => {
                 let velocity = centers.velocities.get(*index)?;
@@ -99,7 +90,7 @@ impl Teller<'_> {
                     None => {
                         let common = LinkPair::new(velocity.driver, velocity.link)?;
                         let common = self.center_symbol(common, FigureOf::Mechanism);
-                        language.velocity_of_center(&vector, &common, self.link_in_symbol(velocity.link))
+                        language.velocity_of_center(&vector, &common, &self.link_in_symbol(velocity.link))
                     }
                 }
             }

@@ -2702,24 +2702,28 @@ export const SHEETS = [
     "key": "scheme",
     "scale": "mu_l",
     "isPlan": false,
+    "isUsual": true,
     "vector": ""
   },
   {
     "key": "velocity",
     "scale": "mu_v",
     "isPlan": true,
+    "isUsual": true,
     "vector": "v"
   },
   {
     "key": "acceleration",
     "scale": "mu_a",
     "isPlan": true,
+    "isUsual": true,
     "vector": "a"
   },
   {
     "key": "centers",
     "scale": "mu_c",
     "isPlan": false,
+    "isUsual": false,
     "vector": ""
   }
 ] as const;
