@@ -16,6 +16,9 @@ pub(super) struct CenterOptions {
     /// Find the velocities of these points, as "C, D", by instant centres, on that figure.
     #[arg(long, value_name = "POINTS")]
     velocities: Vec<String>,
+    /// Construct the centres of curvature of the paths of these points, as "C, D", on that figure.
+    #[arg(long, value_name = "POINTS")]
+    curvature: Vec<String>,
 }
 
 /// Curves of instant centres on the scheme, in place of those that the scene's figure asks for.
@@ -41,7 +44,8 @@ impl CenterOptions {
             Some(names) => figure.centers = CentersShown::Named(split_names(&[names.to_owned()])),
         }
         put_names(&self.velocities, &mut figure.velocities);
-        let is_asked = self.centers.is_some() || !self.velocities.is_empty();
+        put_names(&self.curvature, &mut figure.curvature);
+        let is_asked = self.centers.is_some() || !self.velocities.is_empty() || !self.curvature.is_empty();
         if is_asked && !figure.panels.contains(&Sheet::Centers) {
             figure.panels = vec![Sheet::Scheme, Sheet::Centers];
         }
@@ -52,6 +56,7 @@ impl CenterOptions {
         if let (Some(given), CentersShown::Named(names)) = (&self.centers, &figure.centers) {
             refuse_nothing("--centers", std::slice::from_ref(given), names)?;
         }
+        refuse_nothing("--curvature", &self.curvature, &figure.curvature)?;
         refuse_nothing("--velocities", &self.velocities, &figure.velocities)
     }
 }

@@ -1,6 +1,7 @@
 //! Steps that a lecturer shows together: each passage reaches one aim of the construction.
 
 use super::constructed::Construction;
+use super::kennedy::CurvatureStep;
 use super::markup::marked;
 use super::operation::StepId;
 use super::sentence::Teller;
@@ -27,6 +28,8 @@ pub enum Aim {
     Center,
     /// A velocity by centres.
     CenterVelocity,
+    /// The centre of curvature of a path.
+    Curvature,
     /// That there is no construction.
     Nothing,
 }
@@ -65,14 +68,18 @@ impl Construction {
                         Aim::SpecialPoints => own == group,
                         Aim::Crossing => !is_reached || step.action.is_measured(),
                         Aim::Start | Aim::Images => true,
-                        Aim::Rates | Aim::Center | Aim::CenterVelocity => !is_reached,
+                        Aim::Rates | Aim::Center | Aim::CenterVelocity | Aim::Curvature => !is_reached,
                         Aim::Nothing | Aim::PermanentCenters => false,
                     }
             });
             let was_reached = joins && present.is_some_and(|(.., is_reached)| is_reached);
             let reached = matches!(
                 step.action,
-                Action::Cross { .. } | Action::Solve { .. } | Action::Center(_) | Action::VelocityByCenters(_)
+                Action::Cross { .. }
+                    | Action::Solve { .. }
+                    | Action::Center(_)
+                    | Action::VelocityByCenters(_)
+                    | Action::Curvature { step: CurvatureStep::Center, .. }
             );
             present = Some((step.sheet, group, was_reached || reached));
             match passages.last_mut().filter(|_| joins) {
@@ -101,7 +108,8 @@ fn aim(steps: &[NumberedStep<'_>], last: Option<Aim>) -> Aim {
         Action::NoConstruction(_) | Action::CentersByRates(_) => Aim::Nothing,
         Action::PermanentCenters => Aim::PermanentCenters,
         Action::LeaveOut { .. } | Action::CenterLine { .. } | Action::Center(_) => Aim::Center,
-        Action::RateByCenters { .. } | Action::VelocityByCenters(_) => Aim::CenterVelocity,
+        Action::RateByCenters { .. } | Action::RateBySlide { .. } | Action::VelocityByCenters(_) => Aim::CenterVelocity,
+        Action::Curvature { .. } => Aim::Curvature,
         Action::Divide { .. } | Action::Coincide { .. } => Aim::Images,
         Action::Measure { .. } => {
             let after = actions().find(|action| !action.is_measured());
@@ -179,7 +187,7 @@ impl Teller<'_> {
                 let lines = |step: &&NumberedStep<'_>| !matches!(step.action, Action::CenterLine { .. });
                 steps.iter().filter(lines).map(|step| self.caption(step)).collect()
             }
-            Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity => {
+            Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity | Aim::Curvature => {
                 steps.iter().map(|step| self.caption(step)).collect()
             }
         };

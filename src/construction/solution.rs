@@ -135,9 +135,9 @@ fn with_centers(
         CentersShown::Usual => all.into_iter().filter(|pair| pair.other(GROUND).is_some()).collect(),
         CentersShown::Named(names) => names.iter().filter_map(|name| LinkPair::named(name, mechanism)).collect(),
     };
-    let points: Vec<PointId> = figure.velocities.iter().filter_map(|name| mechanism.point(name)).collect();
+    let points = |names: &[String]| -> Vec<PointId> { names.iter().filter_map(|name| mechanism.point(name)).collect() };
     let mut writer = Writer::continued(mechanism, pose, motion, construction);
-    writer.centers(&wanted, &points);
+    writer.centers(&wanted, &points(&figure.velocities), &points(&figure.curvature));
     writer.construction
 }
 

@@ -1,7 +1,7 @@
 //! Steps at the board, and the plans that they draw.
 
 use super::cut::SpecialId;
-use super::kennedy::{CenterId, CenterLine, FigureOf};
+use super::kennedy::{CenterId, CenterLine, CurvatureStep, FigureOf};
 use crate::centers::LinkPair;
 use crate::geometry::Vector;
 use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
@@ -109,8 +109,26 @@ pub enum Action {
         /// Its angular velocity.
         value: f64,
     },
+    /// Compute the angular velocity of a link from that of a driven slider, which the link has in this centre.
+    RateBySlide {
+        /// The link.
+        link: BodyId,
+        /// The centre.
+        at: LinkPair,
+        /// The slider.
+        slider: SliderId,
+        /// The angular velocity.
+        value: f64,
+    },
     /// Lay off the velocity of a point, normal to its ray from the centre of its link: index among the velocities by centres.
     VelocityByCenters(usize),
+    /// Draw what leads to the centre of curvature of a path: index among the pole tangents, or among the centres of curvature.
+    Curvature {
+        /// The index.
+        index: usize,
+        /// What is drawn.
+        step: CurvatureStep,
+    },
     /// There is no construction by two rays: names of the special points at infinity, where these are the reason; else
     /// none.
     NoConstruction(Vec<String>),
@@ -161,7 +179,9 @@ impl NumberedStep<'_> {
             | Action::LeaveOut { .. }
             | Action::CentersByRates(_)
             | Action::RateByCenters { .. }
-            | Action::VelocityByCenters(_) => Vec::new(),
+            | Action::RateBySlide { .. }
+            | Action::VelocityByCenters(_)
+            | Action::Curvature { .. } => Vec::new(),
             action => {
                 let image = self.plan.zip(action.image());
                 image.map(|(plan, point)| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()

@@ -1,6 +1,7 @@
 //! The panel of instant centres: the mechanism with Kennedy's lines, dashed; permanent centres as crosses, others as diamonds; far
 //! ones as arrows at the edge; velocities by centres; and the circle diagram in a free place.
 
+mod curvature;
 mod diagram;
 
 use super::canvas::Canvas;
@@ -12,7 +13,7 @@ use super::shape::Shape;
 use super::sheet::Pen;
 use super::text::RichText;
 use super::view::{Extent, View, on_sheet, together, towards};
-use crate::construction::{Action, Center, CenterId, CenterLine, CenterOrigin, Centers, FigureOf};
+use crate::construction::{Action, Center, CenterId, CenterLine, CenterOrigin, Centers, CurvatureStep, FigureOf};
 use crate::geometry::{self, Place, span};
 use crate::sheet::{QuantityKind, Sheet};
 use crate::words::{Medium, NumberStyle};
@@ -39,7 +40,10 @@ pub(super) fn extent(context: &SheetContext<'_>) -> Extent {
     let points = &context.solution.pose.points;
     let tips = centers.velocities.iter().map(|velocity| points[velocity.point.0] + velocity.arrow);
     let own = own.with_all(tips.map(|tip| Extent::of([tip])));
-    let mut near: Vec<geometry::Point> = places(centers).filter_map(|(_, place)| place.finite()).collect();
+    let crossings = centers.tangents.iter().map(|tangent| tangent.crossing);
+    let curved = centers.curvatures.iter().flat_map(|found| [found.crossing, found.center]);
+    let all = places(centers).map(|(_, place)| place).chain(crossings).chain(curved);
+    let mut near: Vec<geometry::Point> = all.filter_map(|place| place.finite()).collect();
     let size = |place: &geometry::Point| own.with(*place).size().norm();
     near.sort_by(|a, b| size(a).total_cmp(&size(b)));
     let most = REACH * own.size().norm();
@@ -58,13 +62,17 @@ fn places(centers: &Centers) -> impl Iterator<Item = (Option<CenterId>, Place)> 
 /// Draws the panel.
 pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
     let Some(centers) = context.construction().centers.as_deref() else { return };
-    let named = |point| centers.velocities.iter().any(|velocity| velocity.point == point);
+    let named = |point| {
+        let of_velocities = centers.velocities.iter().map(|velocity| velocity.point);
+        of_velocities.chain(centers.curvatures.iter().map(|found| found.point)).any(|named| named == point)
+    };
     scheme::draw_bare(canvas, view, context, named);
     let panel = CentersOnPaper { view, context, centers, steps: CenterSteps::of(context, centers) };
     panel.lines(canvas);
     panel.marks(canvas);
     panel.far(canvas);
     panel.guides(canvas);
+    panel.curvatures(canvas);
     panel.velocities(canvas);
     diagram::draw(&panel, canvas);
     canvas.step = 0;
@@ -92,6 +100,10 @@ struct CenterSteps {
     by_rates: u16,
     /// By velocity.
     velocities: Vec<u16>,
+    /// By pole tangent: of the collineation axis and of the tangent.
+    tangents: Vec<[u16; 2]>,
+    /// By centre of curvature: of the axis and of the centre.
+    curvatures: Vec<[u16; 2]>,
 }
 
 impl CenterSteps {
@@ -102,6 +114,8 @@ impl CenterSteps {
             lines: vec![[0; 2]; count],
             by_rates: 0,
             velocities: vec![0; centers.velocities.len()],
+            tangents: vec![[0; 2]; centers.tangents.len()],
+            curvatures: vec![[0; 2]; centers.curvatures.len()],
         };
         for step in context.construction().numbered_steps().filter(|step| step.sheet == Sheet::Centers) {
             let number = step.number as u16;
@@ -119,6 +133,12 @@ impl CenterSteps {
                 Action::Center(center) => steps.centers[center.0] = number,
                 Action::CentersByRates(_) => steps.by_rates = number,
                 Action::VelocityByCenters(index) => steps.velocities[*index] = number,
+                Action::Curvature { index, step } => match step {
+                    CurvatureStep::Axis => steps.tangents[*index][0] = number,
+                    CurvatureStep::Tangent => steps.tangents[*index][1] = number,
+                    CurvatureStep::OwnAxis => steps.curvatures[*index][0] = number,
+                    CurvatureStep::Center => steps.curvatures[*index][1] = number,
+                },
                 _ => {}
             }
         }

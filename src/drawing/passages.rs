@@ -18,7 +18,9 @@ impl Writer<'_> {
             Aim::Rates => steps.iter().filter(|step| matches!(step.action, Action::Solve { .. })).collect(),
             Aim::Start => steps.iter().filter(|step| matches!(step.action, Action::LayOff(_))).collect(),
             Aim::Center => steps.iter().filter(|step| matches!(step.action, Action::Center(_))).collect(),
-            Aim::Images | Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity => steps.iter().collect(),
+            Aim::Images | Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity | Aim::Curvature => {
+                steps.iter().collect()
+            }
         };
         match with_details.as_slice() {
             [step] => self.details(step),

@@ -45,7 +45,18 @@ fn on_centers(context: &SheetContext<'_>) -> Vec<String> {
     let far = centers.by_rates.iter().filter(|(_, place)| matches!(place, Some(Place::AtInfinity(_))));
     let far = far.map(|(pair, _)| context.center_symbol(*pair, FigureOf::Mechanism));
     let far = far.map(|symbol| format!("{}.", context.words.language.at_infinity(&symbol)));
-    far.chain(missing_of_centers(centers, context.mechanism(), &context.words)).collect()
+    let curved = centers.curvatures.iter().map(|found| {
+        let point = context.told(context.mechanism().point_name(found.point), None);
+        let unit = context.solution.scene.units.length.as_str();
+        match found.radius {
+            Some(radius) => {
+                let radius = format!("{} {unit}", context.words.write(radius, DIAMETER));
+                context.words.language.radius_of_curvature(&point, &radius)
+            }
+            None => context.words.language.no_radius_of_curvature(&point),
+        }
+    });
+    far.chain(curved).chain(missing_of_centers(centers, context.mechanism(), &context.words)).collect()
 }
 
 /// The sentence on paths alone, which holds for all positions.

@@ -50,6 +50,11 @@ impl Solution {
             let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
             list.heading(&language.centers_differ(&difference, &allowed));
         }
+        let curvatures = construction.centers.iter().flat_map(|centers| &centers.curvatures);
+        for agreement in curvatures.filter_map(|found| found.agreement) {
+            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            list.heading(&language.curvatures_differ(&difference, &allowed));
+        }
         list.text
     }
 }
@@ -239,7 +244,13 @@ impl StepList<'_> {
                 let sine = self.teller.sine_of_center(*id).filter(|sine| *sine > 0.0);
                 std::iter::once(equation).chain(sine.map(|sine| self.crossing(sine))).collect()
             }
-            Action::RateByCenters { .. } | Action::VelocityByCenters(_) => {
+            Action::RateByCenters { .. }
+            | Action::RateBySlide { .. }
+            | Action::VelocityByCenters(_)
+            | Action::Curvature { .. } => {
+                if equation.is_empty() {
+                    return Vec::new();
+                }
                 let value = self.teller.value_of_centers(step.action);
                 let value = value.map(|(value, kind)| format!(" = {} {}", self.digits(value), kind.unit(self.units)));
                 vec![equation + &value.unwrap_or_default()]

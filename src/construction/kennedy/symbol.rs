@@ -3,7 +3,7 @@
 use super::{Centers, FigureOf};
 use crate::centers::LinkPair;
 use crate::construction::markup::display;
-use crate::mechanism::{GROUND, Mechanism};
+use crate::mechanism::{GROUND, Mechanism, PointId};
 use crate::words::Wording;
 
 /// The symbol of the centre of two links, in markup.
@@ -16,13 +16,15 @@ pub(super) fn link_in_words(name: &str, mechanism: &Mechanism, words: &Wording) 
     if name == mechanism.body(GROUND).name { words.ground().to_owned() } else { display(name) }
 }
 
-/// What could not be found of the instant centres and of the velocities by them that were asked for, in sentences and in markup.
+/// What could not be found of the instant centres, and of the velocities and curvatures by them, that were asked for, in sentences and in markup.
 #[must_use]
 pub fn missing_of_centers(centers: &Centers, mechanism: &Mechanism, words: &Wording) -> Vec<String> {
     let listed = |all: Vec<String>| (!all.is_empty()).then(|| all.join(", "));
     let resting = centers.by_rates.iter().filter(|(_, place)| place.is_none());
     let resting = resting.map(|(pair, _)| symbol(*pair, FigureOf::Mechanism, mechanism, words)).collect();
-    let points = centers.without_velocity.iter().map(|point| display(mechanism.point_name(*point))).collect();
     let resting = listed(resting).map(|centers| words.language.no_centers(&centers));
-    resting.into_iter().chain(listed(points).map(|points| words.language.no_velocities_by_centers(&points))).collect()
+    let named = |points: &[PointId]| listed(points.iter().map(|point| display(mechanism.point_name(*point))).collect());
+    let velocities = named(&centers.without_velocity).map(|points| words.language.no_velocities_by_centers(&points));
+    let curvatures = named(&centers.without_curvature).map(|points| words.language.no_curvatures(&points));
+    resting.into_iter().chain(velocities).chain(curvatures).collect()
 }

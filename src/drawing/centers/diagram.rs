@@ -78,9 +78,8 @@ fn place_of_number([a, b]: [Point; 2], edges: &[[Point; 2]], numbers: &[Point]) 
     const BESIDE: f64 = 1.5;
     const FROM_EDGES: f64 = 2.8;
     const FROM_NUMBERS: f64 = 3.0;
-    const SHARES: [f64; 17] = [
-        0.5, 0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66, 0.3, 0.7, 0.26, 0.74, 0.22, 0.78, 0.18, 0.82,
-    ];
+    const SHARES: [f64; 17] =
+        [0.5, 0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66, 0.3, 0.7, 0.26, 0.74, 0.22, 0.78, 0.18, 0.82];
     let along = (b - a).normalize();
     let beside = Vec2::new(-along.y, along.x) * BESIDE;
     let room = |at: &Point| {

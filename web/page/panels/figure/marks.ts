@@ -29,6 +29,7 @@ export function centers(scene: Draft, traceable: string[]): Group {
     { fields: [{ kind: "choice", path: ["figure", "centers"], label: say("wanted_centers"), open: true, options: amounts }] },
     ...(Array.isArray(wanted) ? [checks("centers", say("these_centers"), centersOf(links))] : []),
     checks("velocities", say("velocities"), traceable),
+    checks("curvature", say("curvature"), traceable),
   ];
   return {
     id: "centers",
