@@ -109,7 +109,7 @@ fn of_random_couplers() {
             "1": { "points": ["A", "B"], "lengths": { "AB": crank }, "drive": drive },
             "2": { "points": ["B", "C", "M"], "shape": { "B": [0, 0], "C": [coupler, 0], "M": [along, side] } },
         });
-        let mut scene = json!({ "kinegon": 1, "ground": { "A": [0, 0], "D": [130, 0] }, "links": links, "near": near });
+        let mut scene = json!({ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [130, 0] }, "links": links, "near": near });
         if round % 2 == 0 {
             scene["links"]["3"] = json!({ "points": ["D", "C"], "lengths": { "CD": rocker } });
         } else {
@@ -132,7 +132,7 @@ fn of_a_trammel() {
     let (length, third, angle) = (100.0_f64, 30.0_f64, 35.0_f64);
     let (sine, cosine) = libm::sincos(angle.to_radians());
     let scene = json!({
-        "kinegon": 1,
+        "kinegon": 1, "units": { "length": "mm", "time": "s" },
         "ground": { "O": [0, 0] },
         "links": {
             "1": { "points": ["X"] },
@@ -178,7 +178,7 @@ fn of_pins_on_cranks() {
 #[test]
 fn of_a_piston() {
     let scene = json!({
-        "kinegon": 1,
+        "kinegon": 1, "units": { "length": "mm", "time": "s" },
         "ground": { "A": [0, 0] },
         "links": {
             "1": { "points": ["A", "B"], "lengths": { "AB": 40 } },

@@ -44,7 +44,7 @@ fn a_center_has_one_symbol() {
                 let drawing = solution.figure();
                 let expected = format!("{}20", letter.as_str());
                 let scheme = label(&drawing, "scheme-label-pole-2");
-                let panel = label(&drawing, "centers-label-P(2,ground)");
+                let panel = label(&drawing, "centers-label-Pu282-groundu29");
                 let case = format!("{} {expected} {number:?}", language.as_str());
                 assert_eq!([scheme.as_str(), panel.as_str()], [expected.as_str(); 2], "{case}");
                 let words = solution.wording();
@@ -63,7 +63,7 @@ fn links_are_named_as_on_the_scheme() {
     let figure = json!({ "panels": ["scheme", "centers"], "inflection": ["2"], "labels": { "2": "II" } });
     let drawing = template("four-bar", figure).figure();
     assert_eq!(label(&drawing, "scheme-label-pole-2"), "PII,0");
-    assert_eq!(label(&drawing, "centers-label-P(2,ground)"), "PII,0");
+    assert_eq!(label(&drawing, "centers-label-Pu282-groundu29"), "PII,0");
     assert_eq!(label(&drawing, "scheme-label-inflection-pole-2"), "WII");
 }
 
@@ -77,13 +77,13 @@ fn a_special_point_is_a_center() {
     }
     scene["figure"] = json!({ "panels": ["centers"] });
     let drawing = |scene: &Value| solved(&scene.to_string()).expect("a solution").figure();
-    assert_eq!(label(&drawing(&scene), "centers-label-P(3,ground)"), "P30 = S24");
+    assert_eq!(label(&drawing(&scene), "centers-label-Pu283-groundu29"), "P30 = S24");
     // Who shows no special points has no name for it.
     scene["figure"]["special_points"] = json!(false);
-    assert_eq!(label(&drawing(&scene), "centers-label-P(3,ground)"), "P30");
+    assert_eq!(label(&drawing(&scene), "centers-label-Pu283-groundu29"), "P30");
     // In the template itself the special points are others: of a leg on the crank and one on the frame.
     let own = template("third-class", json!({ "panels": ["centers"] })).figure();
-    assert_eq!(label(&own, "centers-label-P(3,ground)"), "P30");
+    assert_eq!(label(&own, "centers-label-Pu283-groundu29"), "P30");
 }
 
 /// A link that turns about a fixed point has no inflection circle: its pole does not move.
