@@ -2684,9 +2684,13 @@ export interface SceneFigure {
    */
   centers?: SceneCenters;
   /**
-   * Points of links whose velocities that panel shows, found by centres from the one driven link.
+   * Points of links whose velocities that panel shows, found by centres from the one drive.
    */
   velocities?: string[];
+  /**
+   * Points of links for whose paths that panel shows the centres of curvature, by Bobillier's construction.
+   */
+  curvature?: string[];
   /**
    * Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a
    * photograph of them is read; left out: true.
