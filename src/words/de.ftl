@@ -783,6 +783,14 @@ scene-distance_on_ground = das Gestell hat keine Achse; geben Sie einen Punkt od
 scene-load_name = `{$name}` kann nicht der Name einer Last sein: ein Name ist nicht leer und hat kein ( ) und kein Komma
 scene-load_name_twice = zwei Lasten haben den Namen {$name}
 scene-other_load_name = wählen Sie einen anderen Namen für die Last
+scene-over_what = eine Last kann sich nicht über {$name} ändern
+scene-over_angle_or_position = nenne den Winkel eines Glieds als "angle(1)" oder die Lage eines Gleitsteins als "position(3/ground)"
+scene-over_short = eine Tabelle hat mindestens zwei Zeilen
+scene-over_two_lines = gib Paare aus Stelle und Faktor an, wie [[0, 0], [90, 1500], [180, 0]]
+scene-over_back = {$after} steht nach {$before}
+scene-over_in_order = ordne die Zeilen der Tabelle nach ihrer ersten Zahl
+scene-over_more_than_a_turn = eine Tabelle über einem Winkel wiederholt sich mit jeder Umdrehung, und diese ist länger
+scene-over_one_turn = gib höchstens 360° an
 scene-spring_ends = eine Feder hat zwei Enden, nicht {$count}
 
 # The figure.
@@ -862,6 +870,8 @@ scene-expects_object = ein Objekt {"{"} … {"}"}
 
 mechanism-nothing_to_solve = nichts zu lösen: die Bewegung aller Glieder ist gegeben
 mechanism-add_links = ergänzen Sie Glieder zwischen den angetriebenen Gliedern, den bekannten Punkten und dem Gestell
+mechanism-over_no_slider = es gibt keinen Gleitstein {$name}, über dessen Lage sich eine Last ändern könnte
+mechanism-over_no_zero = die Lage von {$name} zählt von keinem Punkt an, so dass sich keine Last über ihr ändern kann
 mechanism-angle_of_another = der Winkel von Glied {$link} kann den des Antriebs nicht ersetzen: er ändert sich nicht mit diesem Antrieb
 mechanism-angle_in_drive = geben Sie im Antrieb an, wo er steht, oder den Winkel eines Gliedes, das sich mit ihm dreht
 mechanism-mirror_image = Glied {$link}: seine Längen passen zu einem Dreieck und zu dessen Spiegelbild; genommen wird {$points}, gegen den Uhrzeigersinn. Um zu wählen, geben Sie in `near` ungefähre Orte seiner Punkte an
