@@ -79,9 +79,7 @@ impl Model {
         let given = mu.or(key.scales);
         let mut scales = PerSheet::from_fn(|_| 1.0);
         // On a sheet that nobody asks for nothing is drawn.
-        let is_drawn = |sheet: Sheet| {
-            Sheet::USUAL.contains(&sheet) || construction.operations.iter().any(|operation| operation.sheet == sheet)
-        };
+        let is_drawn = |sheet: Sheet| construction.by_hand.contains(&sheet);
         for (sheet, scale) in scales.iter_mut().filter(|(sheet, _)| is_drawn(*sheet)) {
             *scale = given[sheet].ok_or_else(|| {
                 let hint = says::add_scale_or_panel(sheet.facts().scale_key);
@@ -206,7 +204,7 @@ impl Model {
     pub fn errors(&self, tolerance: &Tolerance) -> Vec<(usize, usize, f64, usize)> {
         let all = self.construction.operations.iter().enumerate().flat_map(|(index, operation)| {
             let group = match (operation.sheet, &operation.kind) {
-                (Sheet::Scheme, OperationKind::Plot { .. }) => PLOTTED,
+                (_, OperationKind::Plot { .. }) => PLOTTED,
                 (sheet, _) => drawn_on(sheet),
             };
             let errors = operation.kind.errors().iter().enumerate();

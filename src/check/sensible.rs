@@ -69,7 +69,7 @@ pub(super) fn sensible(key: &AnswerKey<'_>, mu: Scales) -> (Scales, Vec<StatedSc
 fn size(key: &AnswerKey<'_>, sheet: Sheet) -> f64 {
     match key.solution.construction.plan_on(sheet) {
         Some(plan) => span(plan.points.values().map(|point| point.vector.into())),
-        None if sheet == Sheet::Scheme => span(key.solution.pose.points.iter().copied()),
+        None if sheet.order().is_none() => span(key.solution.pose.points.iter().copied()),
         None => 0.0,
     }
 }
