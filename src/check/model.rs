@@ -4,7 +4,7 @@ use super::entry::Entry;
 use super::measured::{AnswerKey, CheckError};
 use super::says;
 use crate::construction::{
-    Along, Change, Construction, Disturbance, NumberId, Operation, OperationKind, OperationRole, PlaceId, Reference,
+    Along, Change, Construction, Disturbance, LineId, NumberId, Operation, OperationKind, OperationRole, PlaceId, Reference,
     Solution, Tolerance, Values,
 };
 use crate::geometry::{Vector, unit};
@@ -253,6 +253,18 @@ fn given_first(operations: &mut [Operation]) {
             _ => None,
         })
         .collect();
+    let normal: Vec<LineId> = operations
+        .iter()
+        .filter_map(|operation| match operation.kind {
+            OperationKind::Draw { line, through, along: Along { reference: Reference::Given(_), .. } }
+                if plotted.contains(&through) =>
+            {
+                Some(line)
+            }
+            OperationKind::Join { line, from, towards } if plotted.contains(&from) && plotted.contains(&towards) => Some(line),
+            _ => None,
+        })
+        .collect();
     operations.sort_by_key(|operation| match &operation.kind {
         OperationKind::Pole { .. } | OperationKind::Plot { .. } | OperationKind::Take { .. } => 0,
         OperationKind::Join { from, towards, .. } if plotted.contains(from) && plotted.contains(towards) => 1,
@@ -261,7 +273,13 @@ fn given_first(operations: &mut [Operation]) {
         {
             1
         }
-        _ => 2,
+        // Lines towards the centres of guides.
+        OperationKind::Draw { through, along: Along { reference: Reference::Line(line), .. }, .. }
+            if operation.sheet == Sheet::Centers && plotted.contains(through) && normal.contains(line) =>
+        {
+            2
+        }
+        _ => 3,
     });
 }
 

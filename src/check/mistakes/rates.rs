@@ -16,6 +16,7 @@ fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)
         let rates = operation.kind.numbers().iter().map(move |&number| (number, site.number_kind(number)));
         rates.filter_map(move |(number, kind)| match kind {
             NumberKind::Rate(rate) => Some((index, number, *rate)),
+            NumberKind::RateByCenters(link) => Some((index, number, Rate::Angular(Order::Velocity, *link))),
             _ => None,
         })
     })
@@ -23,10 +24,25 @@ fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)
 
 /// A rate taken with the wrong sense: in all that follows, or only as it is written.
 pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
-    let taken = rates(site).filter_map(|(operation, number, _)| {
+    // `centers::sense_by_center` has those by centres.
+    let of_plans = rates(site).filter(|(_, number, _)| matches!(site.number_kind(*number), NumberKind::Rate(_)));
+    let taken = of_plans.filter_map(|(operation, number, _)| {
         let mut candidate = site.candidate(tell::wrong_sense(as_asked(site, number)), times(operation, number, -1.0));
         if site.is_given(number) {
-            let first = site.all_terms().find(|term| term.product().of.contains(&number))?.vector;
+            let Some(first) = site.all_terms().find(|term| term.product().of.contains(&number)) else {
+                // On the figure of centres no vector shows it.
+                let reads = |kind: &OperationKind| {
+                    let mut reads = false;
+                    kind.each_number_read(|other| reads |= other == number);
+                    reads
+                };
+                // Where one operation alone reads it, the sense is rather wrong in what that finds.
+                let mut all = site.operations().filter(|(_, operation)| reads(&operation.kind));
+                let ((first, _), _) = (all.next()?, all.next()?);
+                candidate.step = site.model.steps[first];
+                return Some(candidate);
+            };
+            let first = first.vector;
             candidate.step = site.model.steps[first.operation];
             let [from, to] = first.blanks();
             candidate.told = tell::wrong_sense_given(site.symbol(number), from, to);
@@ -235,11 +251,27 @@ pub(super) fn degrees(site: &Site<'_>) -> Vec<Candidate> {
 
 /// Segments converted to values with the scale of another sheet: one of them, or all of a sheet.
 pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = at_wrong_scales(site);
+    found.retain(|candidate| candidate.mistake() == Mistake::WrongScale);
+    found
+}
+
+/// The same without a scale on the figure of instant centres.
+pub(super) fn without_scale(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = at_wrong_scales(site);
+    found.retain(|candidate| candidate.mistake() == Mistake::LengthsWithoutScale);
+    found
+}
+
+fn at_wrong_scales(site: &Site<'_>) -> Vec<Candidate> {
     let own = site.model.scales;
+    let drawn = &site.model.construction.by_hand;
     let squared = own[Sheet::Velocity] * own[Sheet::Velocity] / own[Sheet::Scheme];
-    let scales = own.iter().map(|(sheet, scale)| (sheet.facts().scale_symbol, *scale)).chain([("μ_v²/μ_l", squared)]);
+    let squared = drawn.contains(&Sheet::Velocity).then_some(("μ_v²/μ_l", squared));
+    let scales = drawn.iter().map(|sheet| (sheet.facts().scale_symbol, own[*sheet])).chain(squared);
     let mut found = Vec::new();
-    for (sheet, &right) in own.iter() {
+    for &sheet in drawn {
+        let right = own[sheet];
         let own = sheet.facts().scale_symbol;
         let measured: Vec<(usize, NumberId, &str)> = site
             .operations()
@@ -261,6 +293,7 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
             }
             let told = |segment| match wrong {
                 Some(wrong) => tell::wrong_scale(segment, wrong.into(), own.into()),
+                None if sheet == Sheet::Centers => tell::lengths_without_scale(segment, own.into()),
                 None => tell::scale_forgotten(segment, own.into()),
             };
             let mut all = None;
