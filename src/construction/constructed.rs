@@ -26,8 +26,8 @@ pub struct Construction {
     pub plans: [Plan; 2],
     /// The instant centres that the figure asks for, and how they are found.
     pub centers: Option<Box<Centers>>,
-    /// The sheets that a hand draws, whose quantities forms ask for: the mechanism and its plans; where the figure has the centres, those that it
-    /// shows.
+    /// The sheets that a hand draws, whose quantities forms ask for: the mechanism and its plans; where the figure has the centres, these and the plans
+    /// that it shows.
     pub by_hand: Vec<Sheet>,
     /// How the velocity plan is turned by 90°, where it is.
     pub turned: Option<TurnedName>,

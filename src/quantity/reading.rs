@@ -68,9 +68,6 @@ pub enum Unread {
     NoSheet(Sheet),
 }
 
-/// The name of the origin of coordinates on a sheet.
-const ORIGIN: &str = "origin";
-
 /// The construction of a solved scene as far as a hand can carry it out, followed by the operations that read the
 /// quantities `asked` for; and for each quantity how it is read, or why it is not.
 ///
@@ -180,8 +177,9 @@ impl Reader<'_> {
         };
         let place = self.place_of_center(pole)?;
         let origin = -self.writer.construction.origin.coords;
-        let zero = self.writer.construction.place(Sheet::Centers, ORIGIN);
-        let zero = zero.unwrap_or_else(|| self.writer.pole(Sheet::Centers, ORIGIN, origin));
+        // Without a name: nobody takes it for a point of the figure.
+        let zero = self.writer.construction.place(Sheet::Centers, "");
+        let zero = zero.unwrap_or_else(|| self.writer.pole(Sheet::Centers, "", origin));
         Ok((self.measure(Sheet::Centers, asked.name(), [zero, place], how), Sense::Signed))
     }
 
@@ -357,7 +355,7 @@ impl Reader<'_> {
     fn coordinate(&mut self, name: &str, how: MeasuredAs, spot: &Spot) -> Result<NumberId, Unread> {
         let place = self.scheme_point(spot)?;
         let origin = -self.writer.construction.origin.coords;
-        let zero = self.writer.pole(Sheet::Scheme, ORIGIN, origin);
+        let zero = self.writer.pole(Sheet::Scheme, "origin", origin);
         Ok(self.measure(Sheet::Scheme, name, [zero, place], how))
     }
 

@@ -14,6 +14,7 @@ import itertools
 import json
 import math
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -219,11 +220,11 @@ def order(mechanism, exact, wanted):
 class Sheet:
     """What one hand draws, in mm of paper with y up; `mistake` may change it, and says so in `made`."""
 
-    def __init__(self, mechanism, mu, ways, rng, mistake=None, size=1.0):
+    def __init__(self, mechanism, mu, ways, rng, mistake=None, size=1.0, right=()):
         self.mechanism, self.mu, self.rng, self.size = mechanism, mu, rng, size
         self.mistake, self.made = mistake, None
         self.at = {name: self.off((x / mu, y / mu)) for name, (x, y) in mechanism.points.items()}
-        self.links, self.segments = list(mechanism.links), []
+        self.links, self.segments, self.right = list(mechanism.links), [], right
         self.known, self.pins = {}, {}
         self.choose()
         for target, (kind, what) in mechanism.permanent().items():
@@ -296,6 +297,10 @@ class Sheet:
                     raise Stuck
             else:
                 at = point(self.off(place(at)))
+        if self.mistake and not is_far(at):
+            marked = list(self.at.values()) + [place(p) for p in self.known.values() if not is_far(p)]
+            if any(distance(place(at), other) < 5 for other in marked):
+                raise Stuck
         self.known[target] = at
         self.segments += [d for d in drawn if d[0] is not None]
 
@@ -306,7 +311,9 @@ class Sheet:
                 pin = self.pins.get(end)
                 same = [own for own, name in self.pins.items() if name == pin]
                 if pin is not None and len(same) > 2:
-                    lines = [line for ends, line in self.segments if ends is not None]
+                    lines = [line for _, line in self.segments]
+                    lines += [cross(point(self.at[a]), point(self.at[b]))
+                              for own in self.mechanism.links.values() for a, b in itertools.combinations(own, 2)]
                     places = self.free_crossings(itertools.combinations(lines, 2))
                     if places:
                         self.missed, self.elsewhere = end, point(self.rng.choice(places))
@@ -322,8 +329,7 @@ class Sheet:
             if is_far(at):
                 continue
             xy = place(at)
-            marked = list(self.at.values()) + [place(p) for p in self.known.values() if not is_far(p)]
-            if all(distance(xy, other) > 8 for other in marked) and math.hypot(*xy) < 300:
+            if self.free(xy) and math.hypot(*xy) < 300:
                 found.append(xy)
         return found
 
@@ -333,7 +339,7 @@ class Sheet:
             return None
         if self.mistake == "lines-without-common-link" and self.segments and self.chance < 0.9:
             others = [line for _, line in self.segments]
-            pairs = [(own, other) for own in lines for other in others] + list(itertools.combinations(others, 2))
+            pairs = [(own, other) for own in lines for other in others]
             places = self.free_crossings(pairs)
             if places and self.rng.random() < 0.6:
                 self.made = target
@@ -350,7 +356,7 @@ class Sheet:
         return None
 
     def free(self, xy):
-        marked = list(self.at.values()) + [place(p) for p in self.known.values() if not is_far(p)]
+        marked = list(self.at.values()) + [place(p) for p in self.known.values() if not is_far(p)] + list(self.right)
         return all(distance(xy, other) > 8 for other in marked)
 
     # Numbers
@@ -395,7 +401,10 @@ class Sheet:
 
     def length(self, name):
         a, b = split(name[2:-1])
-        return self.measure(self.spot(a), self.spot(b))
+        found = self.measure(self.spot(a), self.spot(b))
+        if found < 5:
+            raise Stuck
+        return found
 
     def rate(self, link, written, rates):
         common, own, first = (self.known[pair(*two)] for two in (("1", link), ("0", link), ("0", "1")))
@@ -467,10 +476,6 @@ def text(name, value):
     return f"{value:.4g}"
 
 
-def swapped(sheet, names):
-    """Two centres taken for each other: their coordinates, and what follows."""
-
-
 # Scenes
 
 def exact_centres(mechanism):
@@ -504,7 +509,11 @@ def drawable(kind, rng, kinegon, folder):
             continue
         (folder / "scene.json").write_text(json.dumps(mechanism.scene(mu, wanted)))
         done = subprocess.run([kinegon, "check", str(folder / "scene.json"), "--template"], capture_output=True, text=True)
-        if done.returncode != 0:
+        steps = subprocess.run([kinegon, "steps", str(folder / "scene.json")], capture_output=True, text=True)
+        if done.returncode != 0 or steps.returncode != 0:
+            continue
+        _, _, steps = steps.stdout.partition("Instant centres")
+        if any(float(angle) < 20 for angle in re.findall(r"angle of crossing ([\d.]+)", steps)):
             continue
         form = json.loads(done.stdout)
         names = list(form["values"])
@@ -517,7 +526,10 @@ def drawable(kind, rng, kinegon, folder):
             continue
         if any(length < 15 for length in lengths) or not names:
             continue
-        return mechanism, mu, ways, form, names
+        marked = re.findall(r"Mark (P_\d\d) on (P_\d\d) (P_\d\d) and (P_\d\d) (P_\d\d)", steps)
+        theirs = {frozenset(m[0][2:]): frozenset(frozenset(p[2:]) for p in m[1:]) for m in marked}
+        own = {frozenset(t): frozenset(frozenset((i, k)) for i in t for k in over) for t, over in ways}
+        return mechanism, mu, ways, form, names, all(theirs.get(t) == through for t, through in own.items())
     raise SystemExit(f"no {kind.__name__} that a hand draws well")
 
 
@@ -536,14 +548,16 @@ MISTAKES = ["centre-along-guide", "centre-at-slider", "lines-without-common-link
 def run(options):
     rng = random.Random(options.seed)
     honest, outcomes, told_wrong, kinds = Counter(), {m: Counter() for m in MISTAKES}, {m: Counter() for m in MISTAKES}, Counter()
-    wanted = options.mistake or MISTAKES
+    wanted, routes = options.mistake or MISTAKES, Counter()
     index = 0
     while index < options.scenes:
         kind = KINDS[index % len(KINDS)]
         index += 1
         with tempfile.TemporaryDirectory() as work:
             work = Path(work)
-            mechanism, mu, ways, form, names = drawable(kind, rng, options.kinegon, work)
+            mechanism, mu, ways, form, names, is_same = drawable(kind, rng, options.kinegon, work)
+            perfect = Sheet(mechanism, mu, ways, random.Random(1), size=0.0)
+            right = [place(p) for p in perfect.known.values() if not is_far(p)]
             forms, planted = work / "forms", {}
             forms.mkdir()
 
@@ -566,7 +580,7 @@ def run(options):
             for mistake in wanted:
                 for number in range(-(-options.each // options.scenes * 6 // 3)):
                     try:
-                        sheet = Sheet(mechanism, mu, ways, rng, mistake)
+                        sheet = Sheet(mechanism, mu, ways, rng, mistake, right=right)
                     except (Stuck, StopIteration, ZeroDivisionError):
                         continue
                     if mistake == "lengths-without-scale" and mu == 1:
@@ -606,6 +620,7 @@ def run(options):
                 else:
                     outcome = "wrong"
                 outcomes[mistake][outcome] += 1
+                routes["as in the steps" if is_same else "another route", outcome] += 1
                 if outcome != "named":
                     told_wrong[mistake][" + ".join(told) or "-"] += 1
                     keep(options, work, forms / f"{key}.json", f"{mistake}-{kind.__name__}-{index}-{key}", told)
@@ -617,6 +632,10 @@ def run(options):
         total.update(outcomes[mistake])
         share = 100 * outcomes[mistake]["named"] / all_of if all_of else 0
         print(f"{mistake:28} {all_of:5} named {share:5.1f} %  {dict(outcomes[mistake])}  {dict(told_wrong[mistake].most_common(4))}")
+    for route in ("as in the steps", "another route"):
+        found = {outcome: count for (own, outcome), count in routes.items() if own == route}
+        if found:
+            print(f"{route}: {sum(found.values())}, named {100 * found.get('named', 0) / sum(found.values()):.1f} %")
     all_of = max(sum(total.values()), 1)
     named, accused = 100 * total["named"] / all_of, 100 * honest["accused"] / max(count, 1)
     print(f"all {all_of}: named {named:.1f} %, wrong {100 * (total['wrong'] + total['beside']) / all_of:.1f} %; honest accused {accused:.2f} %")

@@ -153,25 +153,25 @@ macro_rules! catalogue {
                 scale_forgotten(segment, scale)
             }
             /// The centre of a guide sought along it, not normal to it.
-            CenterAlongGuide "centre-along-guide" 3.0 centers::along_guide { center_along_guide(center, guide) }
+            CenterAlongGuide "centre-along-guide" 6.0 centers::along_guide { center_along_guide(center, guide) }
             /// The centre of a guide taken in the pin of its block.
             CenterAtSlider "centre-at-slider" 3.0 centers::at_slider { center_at_slider(center, pin, guide) }
             /// An instant centre marked where lines cross that do not both lead to it.
-            LinesWithoutCommonLink "lines-without-common-link" 3.0 centers::other_lines {
+            LinesWithoutCommonLink "lines-without-common-link" 5.0 centers::other_lines {
                 line_without_common_link(center, wrong, right)
                 /// Where the lines of another centre cross.
                 center_of_other_lines(center, other)
                 centers_swapped(first, second)
             }
             /// A ratio of distances of centres upside down.
-            RatioInverted "ratio-inverted" 4.0 centers::ratio_inverted { ratio_inverted(rate, over, under) }
+            RatioInverted "ratio-inverted" 5.0 centers::ratio_inverted { ratio_inverted(rate, over, under) }
             /// The sense of a rate or a velocity by centres reversed.
-            SenseByCenter "sense-by-centre" 4.0 centers::sense_by_center {
+            SenseByCenter "sense-by-centre" 6.0 centers::sense_by_center {
                 sense_by_center(rate)
                 velocity_reversed(velocity)
             }
             /// A distance from another place than the centre that is meant.
-            DistanceFromWrongCenter "distance-from-wrong-centre" 4.0 centers::from_wrong_center {
+            DistanceFromWrongCenter "distance-from-wrong-centre" 5.0 centers::from_wrong_center {
                 distance_from_wrong_center(length, from, to)
             }
             /// The lines of a centre not drawn far enough, other ones crossed.

@@ -1,5 +1,6 @@
 //! Mistakes with instant centres: lines through the wrong places, wrong crossings, wrong distances, velocities.
 
+use super::rays::sides;
 use super::site::{Candidate, Reinterpretation, Site, instead, times};
 use super::told::{Blank, Told, tell};
 use crate::construction::{
@@ -105,9 +106,7 @@ impl<'s> Drawn<'s> {
 
     /// Where two lines cross, at an angle at which somebody crosses them.
     fn meeting(&self, lines: [LineId; 2]) -> Option<Vector> {
-        let [(a, u), (b, v)] = lines.map(|line| self.site.model.exact.line(line));
-        let sine = cross(u, v);
-        (sine.abs() > SINE).then(|| a + u * (cross(b - a, v) / sine))
+        meeting(lines.map(|line| self.site.model.exact.line(line)))
     }
 
     /// The guides' centres: each with the direction towards it.
@@ -132,6 +131,12 @@ impl<'s> Drawn<'s> {
         let step = self.site.model.steps[first];
         Some(Candidate { edits, ..Candidate::at(told, step) })
     }
+}
+
+/// Where two lines cross, each given by a place and its direction, at an angle at which somebody crosses them.
+fn meeting([(a, u), (b, v)]: [(Vector, Vector); 2]) -> Option<Vector> {
+    let sine = cross(u, v);
+    (sine.abs() > SINE).then(|| a + u * (cross(b - a, v) / sine))
 }
 
 /// The candidates that a function finds where the figure has centres.
@@ -307,11 +312,13 @@ fn wrong_places(drawn: &Drawn<'_>, id: CenterId) -> Vec<Vector> {
     let used = lines_through(drawn, id, pin);
     let operations = drawn.site.model.construction.operations.len();
     let first = drawn.crossings.iter().find(|crossing| crossing.lines.iter().any(|line| used.iter().any(|u| u.1 == *line)));
-    let lines: Vec<LineId> = drawn.lines_before(first.map_or(operations, |crossing| crossing.operation)).collect();
+    let before = drawn.lines_before(first.map_or(operations, |crossing| crossing.operation));
+    let lines = before.map(|line| drawn.site.model.exact.line(line));
+    let lines: Vec<_> = lines.chain(sides(drawn.site).into_iter().map(|(_, side)| side)).collect();
     let mut found: Vec<Vector> = Vec::new();
     for (index, &a) in lines.iter().enumerate() {
         for &b in &lines[index + 1..] {
-            if let Some(at) = drawn.meeting([a, b])
+            if let Some(at) = meeting([a, b])
                 && drawn.is_free(at, operations)
                 && found.iter().all(|other| (other - at).norm() > drawn.mm(ONE))
             {

@@ -5,7 +5,7 @@ use super::site::{Candidate, Reinterpretation, Site, Term, times};
 use super::told::{Blank, Mistake, Told, tell};
 use super::vectors::OfTerm;
 use crate::check::entry::Entry;
-use crate::construction::{Change, Disturbance, NumberId, NumberKind, OperationKind, ProductKind, Rate};
+use crate::construction::{Change, Disturbance, MeasuredAs, NumberId, NumberKind, OperationKind, ProductKind, Rate};
 use crate::quantity::{QuantityKind, What};
 use crate::scene::{LengthUnit, TimeUnit};
 use crate::sheet::{Order, Sheet};
@@ -273,11 +273,11 @@ fn at_wrong_scales(site: &Site<'_>) -> Vec<Candidate> {
     for &sheet in drawn {
         let right = own[sheet];
         let own = sheet.facts().scale_symbol;
-        let measured: Vec<(usize, NumberId, &str)> = site
+        let measured: Vec<(usize, NumberId, &str, MeasuredAs)> = site
             .operations()
             .filter(|(_, operation)| operation.sheet == sheet)
             .filter_map(|(index, operation)| match operation.kind {
-                OperationKind::Measure { number, .. } => Some((index, number, site.number_name(number))),
+                OperationKind::Measure { number, how, .. } => Some((index, number, site.number_name(number), how)),
                 _ => None,
             })
             .collect();
@@ -296,18 +296,28 @@ fn at_wrong_scales(site: &Site<'_>) -> Vec<Candidate> {
                 None if sheet == Sheet::Centers => tell::lengths_without_scale(segment, own.into()),
                 None => tell::scale_forgotten(segment, own.into()),
             };
-            let mut all = None;
-            for &(operation, number, _) in measured.iter().filter(|m| !is_angle(m.2)) {
+            let (mut all, mut distances) = (None, None);
+            for &(operation, number, _, how) in measured.iter().filter(|m| !is_angle(m.2)) {
                 let one = at_wrong_scale(site, told(site.quantity(number)), operation, number, ratio);
-                let together = all.get_or_insert_with(|| Candidate::at(told(Blank::AllSegments), one.step));
-                together.edits.extend(one.edits.iter().cloned());
-                together.reinterpreted.extend(one.reinterpreted.iter().copied());
-                together.passed_on.extend(one.passed_on.iter().cloned());
+                let add = |all: &mut Option<Candidate>| {
+                    let together = all.get_or_insert_with(|| Candidate::at(told(Blank::AllSegments), one.step));
+                    together.edits.extend(one.edits.iter().cloned());
+                    together.reinterpreted.extend(one.reinterpreted.iter().copied());
+                    together.passed_on.extend(one.passed_on.iter().cloned());
+                };
+                add(&mut all);
+                if !matches!(how, MeasuredAs::X | MeasuredAs::Y) {
+                    add(&mut distances);
+                }
                 if one.changes().next().is_some() {
                     found.push(one);
                 }
             }
-            found.extend(all.filter(|all| all.changes().count() > 1));
+            // The distances alone, where coordinates are measured, too.
+            let distances = distances.filter(|some| {
+                all.as_ref().is_some_and(|all: &Candidate| all.changes().count() > some.changes().count())
+            });
+            found.extend([all, distances].into_iter().flatten().filter(|all| all.changes().count() > 1));
         }
     }
     found

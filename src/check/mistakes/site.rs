@@ -93,6 +93,8 @@ pub(in crate::check) struct Free {
     pub is_angle: bool,
     /// Standard deviation of the amounts that occur: mm, degrees, or the unit of the number.
     pub range: f64,
+    /// Whether the amount has the sign of the right one: a distance from which a rate is found is never negative.
+    pub keeps_sign: bool,
 }
 
 /// What is wrong by a free amount.
