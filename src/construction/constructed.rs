@@ -239,6 +239,12 @@ impl Construction {
         self.numbered_steps().filter(|step| self.by_hand.contains(&step.sheet))
     }
 
+    /// Whether a hand draws a plan.
+    #[must_use]
+    pub fn draws_plans(&self) -> bool {
+        self.by_hand.iter().any(|sheet| sheet.order().is_some())
+    }
+
     /// How many steps there are.
     #[must_use]
     pub fn step_count(&self) -> usize {
