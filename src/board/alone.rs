@@ -146,7 +146,15 @@ impl Bench<'_> {
                 (own - expected).norm() <= self.typed_reach(sheet, run)
             })
         };
-        if !(is_right || is_typed && as_expected()) {
+        let as_recognised = || match self.with_right_numbers(entry, false) {
+            Some(Made::Place(_, _, at)) => self
+                .judge
+                .given()
+                .place(sheet, name)
+                .is_some_and(|right| (at - right).norm() <= SAME * self.judge.given().size(sheet)),
+            _ => false,
+        };
+        if !(is_right || is_typed && (as_expected() || as_recognised())) {
             return Found::Wrong(match entry {
                 Entry::Cross(_) => says::lines_of_others(name),
                 _ => says::point_elsewhere(name),
@@ -221,7 +229,7 @@ impl Bench<'_> {
     }
 
     /// Whether a length or a segment is measured between other points than its name has.
-    fn is_between_others(&self, measure: &Measure) -> bool {
+    pub fn is_between_others(&self, measure: &Measure) -> bool {
         let Some((sheet, ends)) = super::reads::segment_of(&measure.measure) else { return false };
         let own = [&measure.from, &measure.to];
         let place = |name: &String| self.own.place(sheet, name);

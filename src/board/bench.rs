@@ -144,8 +144,10 @@ impl<'j> Bench<'j> {
             _ => None,
         };
         let mut is_own = false;
+        // A typed number is right where it follows from what the hand has.
+        let mut recognised = if is_typed_here(entry) { self.with_right_numbers(entry, false) } else { None };
         for table in &mut self.right {
-            let alone = table.carry_out(entry).unwrap_or_else(|_| made.clone());
+            let alone = recognised.take().map_or_else(|| table.carry_out(entry), Ok).unwrap_or_else(|_| made.clone());
             let right = match alone {
                 Made::Place(sheet, name, at) => {
                     let right = table.given.place(sheet, &name);
@@ -208,6 +210,15 @@ fn is_typed(entry: &Entry) -> bool {
             let mut sides = equations.iter().filter_map(|text| Formula::sides(text).ok()).flatten();
             sides.any(|side| side.has_constants())
         }
+        _ => false,
+    }
+}
+
+/// Whether a size or a number was typed in it.
+fn is_typed_here(entry: &Entry) -> bool {
+    match entry {
+        Entry::LayOff(LayOff { size, .. }) => size.has_constants(),
+        Entry::Compute(Compute { by, .. }) => by.as_ref().is_none_or(Formula::has_constants),
         _ => false,
     }
 }

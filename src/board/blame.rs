@@ -10,10 +10,11 @@ use super::reads::reads;
 use super::says;
 use super::slips::Slip;
 use super::table::{Made, things};
-use crate::check::{Mistake, Told, tell};
+use crate::check::{Blank, Mistake, Told, tell};
 use crate::geometry::{Vector, unit};
 use crate::message::Message;
-use std::collections::BTreeSet;
+use crate::sheet::Sheet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Most names of a formula that is written out.
 const MOST_NAMES: usize = 40;
@@ -37,7 +38,7 @@ impl Bench<'_> {
         {
             let name = things(made).into_iter().next().map_or_else(String::new, |(_, name)| name);
             let own = self.done.iter().find(|(index, _)| *index == earlier);
-            let mistake = own.zip(right).and_then(|((_, own), right)| self.slip(own, right, is_typed));
+            let mistake = own.and_then(|(_, own)| right.into_iter().find_map(|right| self.slip(own, right, is_typed)));
             verdicts[earlier] = Verdict::Wrong(Wrong { what: says::leads_wrong(name), mistake });
             return Verdict::Follows;
         }
@@ -63,8 +64,13 @@ impl Bench<'_> {
             },
             // In equations signs are wrong, too, which the catalogue takes for something else.
             Entry::Solve(_) => slip(),
-            Entry::Measure(Measure { read: Some(read), .. }) => {
-                slip().or_else(|| self.misreading(entry, *read)).or_else(|| of(entry))
+            Entry::Measure(Measure { read: Some(read), .. }) => slip()
+                .or_else(|| self.misreading(entry, *read))
+                .or_else(|| of(entry))
+                .or_else(|| self.between_others(entry)),
+            Entry::Measure(_) => slip().or_else(|| of(entry)).or_else(|| self.between_others(entry)),
+            Entry::Compute(Compute { compute, by: None, value: Some(value), .. }) => {
+                self.mistyped(compute, *value).or_else(slip).or_else(|| of(entry))
             }
             _ => slip().or_else(|| of(entry)),
         }
@@ -83,6 +89,23 @@ impl Bench<'_> {
         is_right.then(|| tell::mirrored_image(through.into(), target.as_str().into(), end.into()))
     }
 
+    /// A segment of the hand's own that was measured between other points than its name says.
+    fn between_others(&self, entry: &Entry) -> Option<Told> {
+        let Entry::Measure(measure) = entry else { return None };
+        let (sheet, _) = super::reads::segment_of(&measure.measure).filter(|_| self.is_between_others(measure))?;
+        let [from, to] = [&measure.from, &measure.to].map(|end| end.as_str().into());
+        Some(match sheet {
+            Sheet::Scheme => tell::wrong_length(Blank::Symbol(measure.measure.clone()), from, to),
+            _ => tell::wrong_segment(Blank::Quantity(measure.measure.clone()), from, to),
+        })
+    }
+
+    /// Digits that were exchanged where a number was typed that the hand's own things give.
+    fn mistyped(&self, name: &str, typed: f64) -> Option<Told> {
+        let expected = self.causes.expected_number(&self.own, name)?;
+        super::slips::digits_transposed(name, typed, expected, 0.012)
+    }
+
     fn misreading(&self, entry: &Entry, read: f64) -> Option<Told> {
         let Entry::Measure(measure) = entry else { return None };
         Slip::misread(&self.own, measure, self.measured_on(measure)?, read)
@@ -94,7 +117,19 @@ impl Bench<'_> {
         let alone = self.as_if_right(entry, is_typed)?;
         let tolerance = if is_typed || has_numbers(entry) { 0.012 } else { 1e-6 };
         let whole = self.written_out(entry);
-        Slip { table, entry: &whole, alone: &alone, right, tolerance }.told()
+        Slip { table, entry: &whole, alone: &alone, right, tolerance, measured: self.measured() }.told()
+    }
+
+    /// What the hand's own names of measured segments and lengths mean.
+    fn measured(&self) -> BTreeMap<String, (Sheet, [String; 2])> {
+        let own = self.done.iter().filter_map(|(_, entry)| match entry {
+            Entry::Measure(measure) if super::reads::segment_of(&measure.measure).is_none() => {
+                let ends = [measure.from.clone(), measure.to.clone()];
+                Some((measure.measure.clone(), (self.measured_on(measure)?, ends)))
+            }
+            _ => None,
+        });
+        own.collect()
     }
 
     /// The entry with the formulas of the hand's own numbers in place of their names.
@@ -130,6 +165,9 @@ impl Bench<'_> {
         }
         let given = self.judge.given();
         Some(match (alone, entry) {
+            (Made::Place(..), _) if self.with_right_numbers(entry, true).is_some() => {
+                self.with_right_numbers(entry, true)?
+            }
             (Made::Place(sheet, name, at), Entry::LayOff(LayOff { from, .. })) => {
                 let own = self.own.place(sheet, from).zip(table.place(sheet, from));
                 let expected = self.causes.expected_place(&self.own, sheet, &name).zip(given.place(sheet, &name));
@@ -146,6 +184,12 @@ impl Bench<'_> {
                         start + over(times(found, right - begins.1), expected - begins.0).unwrap_or(at - start)
                     });
                 Made::Place(sheet, name, at)
+            }
+            (Made::Numbers(all), Entry::Compute(_))
+                if all.iter().all(|(name, _)| given.number(name).is_none())
+                    && self.with_right_numbers(entry, true).is_some() =>
+            {
+                self.with_right_numbers(entry, true)?
             }
             (Made::Numbers(all), Entry::Compute(Compute { by: None, .. })) => {
                 let scaled = all.into_iter().map(|(name, number)| {
@@ -177,8 +221,8 @@ impl Bench<'_> {
     }
 
     /// Of the hand's own things on which a wrong entry hangs, the first with which it would be right, were that something that has a
-    /// name, as a vector of the plan or a known number, and what that is. Where there is only one, it is that one.
-    fn culprit(&self, entry: &Entry, made: &Made) -> Option<(usize, Option<Made>)> {
+    /// name, as a vector of the plan or a known number, and what that may be. Where there is only one, it is that one.
+    fn culprit(&self, entry: &Entry, made: &Made) -> Option<(usize, Vec<Made>)> {
         if self.has_two_exchanged(entry, made) {
             return None;
         }
@@ -198,15 +242,17 @@ impl Bench<'_> {
                 let again = other.carried_out_again(entry).ok()?;
                 self.is_meant(&again, made).then_some(())
             };
-            self.causes.instead_of(replaced, table).into_iter().find(|instead| is_right(instead).is_some())
+            let all = self.causes.instead_of(replaced, table).into_iter();
+            let right: Vec<Made> = all.filter(|instead| is_right(instead).is_some()).collect();
+            (!right.is_empty()).then_some(right)
         };
         // What has a name of its own may still be the wrong one here.
         let all = suspects.iter().chain(hangs_on.iter().filter(|index| !suspects.contains(index)));
         let mut all = all.copied().filter(|_| hangs_on.len() <= MOST_CHAINED);
-        let found = all.find_map(|suspect| mended(suspect).map(|right| (suspect, Some(right))));
+        let found = all.find_map(|suspect| mended(suspect).map(|right| (suspect, right)));
         found.or_else(|| {
             let is_number = !matches!(entry, Entry::Line(_) | Entry::Join(_)) && self.has_right_direction(entry, made);
-            suspects.first().filter(|_| is_number).map(|first| (*first, None))
+            suspects.first().filter(|_| is_number).map(|first| (*first, Vec::new()))
         })
     }
 

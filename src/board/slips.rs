@@ -3,6 +3,7 @@
 
 use super::file::{Compute, Entry, LayOff, Measure, Solve};
 use super::formula::Formula;
+use super::free_hand::FREE;
 use super::table::{Made, Table};
 use crate::check::Told;
 use crate::check::tell;
@@ -11,6 +12,7 @@ use crate::geometry::Vector;
 use crate::quantity::QuantityRequest;
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
+use std::collections::BTreeMap;
 
 /// An operation in the scene with right inputs, and what it should have made.
 pub(super) struct Slip<'s, 'g> {
@@ -24,6 +26,8 @@ pub(super) struct Slip<'s, 'g> {
     pub right: Made,
     /// What numbers may differ by, in parts: typed ones have three digits or more.
     pub tolerance: f64,
+    /// What the hand's own names of segments and lengths mean.
+    pub measured: BTreeMap<String, (Sheet, [String; 2])>,
 }
 
 impl Slip<'_, '_> {
@@ -83,6 +87,8 @@ impl Slip<'_, '_> {
         let [from, to] = [table.place(sheet, &measure.from)?, table.place(sheet, &measure.to)?];
         let (run, drawn) = (to - from, (to - from).norm());
         let near = |x: f64| (x.abs() - read.abs()).abs() <= 0.02 * drawn.min(x.abs());
+        // What a hand reads is off by a part of a millimetre.
+        let reading = (FREE * 0.3 * table.scale(sheet) / drawn).clamp(0.012, 0.05);
         let [start, end] = [&measure.from, &measure.to].map(|end| Blank::from(end.as_str()));
         let quantity = Blank::Quantity(name.clone());
         if near(run.x) {
@@ -91,7 +97,7 @@ impl Slip<'_, '_> {
         if near(run.y) {
             return Some(tell::component(quantity, Blank::Vertical, start, end));
         }
-        written_otherwise(name, read, drawn, 0.012)
+        written_otherwise(name, read, drawn, reading)
     }
 
     fn computed(&self, compute: &Compute, (name, found): &(String, f64), right: f64) -> Option<Told> {
@@ -233,7 +239,7 @@ impl Slip<'_, '_> {
         is_meant: &dyn Fn(&str) -> bool,
     ) -> Option<Told> {
         formulas.iter().flat_map(|formula| formula.names()).find_map(|own| {
-            let (sheet, ends) = super::reads::segment_of(own)?;
+            let (sheet, ends) = super::reads::segment_of(own).or_else(|| self.measured.get(own).cloned())?;
             let all = match sheet.order() {
                 None => lengths(self.table),
                 Some(order) => segments(self.table, order),
@@ -322,6 +328,13 @@ fn written_otherwise(name: &str, found: f64, right: f64, tolerance: f64) -> Opti
             return Some(tell::decimal_slipped(quantity(), number(found), number(right)));
         }
     }
+    digits_transposed(name, found, right, tolerance.max(0.006))
+}
+
+/// A number with two digits in each other's place.
+pub(super) fn digits_transposed(name: &str, found: f64, right: f64, tolerance: f64) -> Option<Told> {
+    let near = |a: f64, b: f64| (a - b).abs() <= tolerance * b.abs();
+    let number = |x: f64| Blank::Number(crate::format::json(&rounded(x.copysign(found))).trim().to_owned());
     let text: Vec<char> = found.abs().to_string().chars().take(12).collect();
     for at in 0..text.len().saturating_sub(1) {
         if !(text[at].is_ascii_digit() && text[at + 1].is_ascii_digit()) || text[at] == text[at + 1] {
@@ -332,7 +345,7 @@ fn written_otherwise(name: &str, found: f64, right: f64, tolerance: f64) -> Opti
         let meant: f64 = other.iter().collect::<String>().parse().unwrap_or(f64::NAN);
         // Exchanged digits far behind change less than a hand's errors do.
         if near(meant, right.abs()) && !near(found.abs(), right.abs()) {
-            return Some(tell::digits_transposed(quantity(), number(found), number(meant)));
+            return Some(tell::digits_transposed(Blank::Quantity(name.to_owned()), number(found), number(meant)));
         }
     }
     None
