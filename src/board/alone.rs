@@ -146,7 +146,7 @@ impl Bench<'_> {
                 (own - expected).norm() <= self.typed_reach(sheet, run)
             })
         };
-        let as_recognised = || match self.with_right_numbers(entry, false) {
+        let as_recognised = || match self.made_with_right_numbers(entry, false) {
             Some(Made::Place(_, _, at)) => self
                 .judge
                 .given()

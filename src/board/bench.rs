@@ -145,7 +145,7 @@ impl<'j> Bench<'j> {
         };
         let mut is_own = false;
         // A typed number is right where it follows from what the hand has.
-        let mut recognised = if is_typed_here(entry) { self.with_right_numbers(entry, false) } else { None };
+        let mut recognised = if is_typed_here(entry) { self.made_with_right_numbers(entry, false) } else { None };
         for table in &mut self.right {
             let alone = recognised.take().map_or_else(|| table.carry_out(entry), Ok).unwrap_or_else(|_| made.clone());
             let right = match alone {
@@ -215,7 +215,7 @@ fn is_typed(entry: &Entry) -> bool {
 }
 
 /// Whether a size or a number was typed in it.
-fn is_typed_here(entry: &Entry) -> bool {
+pub(super) fn is_typed_here(entry: &Entry) -> bool {
     match entry {
         Entry::LayOff(LayOff { size, .. }) => size.has_constants(),
         Entry::Compute(Compute { by, .. }) => by.as_ref().is_none_or(Formula::has_constants),

@@ -1,7 +1,7 @@
 //! Who is to blame for a wrong entry, and what was probably done there: the entry itself, or something of the hand's own on which it hangs.
 
 use super::alone::Held;
-use super::bench::{Bench, has_numbers};
+use super::bench::{Bench, has_numbers, is_typed_here};
 use super::direction::Direction;
 use super::file::{Compute, Entry, LayOff, Line, Measure};
 use super::formula::Formula;
@@ -33,16 +33,37 @@ impl Bench<'_> {
         verdicts: &mut [Verdict],
     ) -> Verdict {
         let mistake = self.cause(entry, made, is_typed);
-        if mistake.is_none()
-            && let Some((earlier, right)) = self.culprit(entry, made)
-        {
-            let name = things(made).into_iter().next().map_or_else(String::new, |(_, name)| name);
-            let own = self.done.iter().find(|(index, _)| *index == earlier);
-            let mistake = own.and_then(|(_, own)| right.into_iter().find_map(|right| self.slip(own, right, is_typed)));
-            verdicts[earlier] = Verdict::Wrong(Wrong { what: says::leads_wrong(name), mistake });
-            return Verdict::Follows;
+        let is_known = mistake.is_some();
+        // A right vector that does not begin where it should: its beginning may be what is wrong.
+        let begins_wrong = mistake.as_ref().is_some_and(|told| told.mistake == Mistake::VectorFromWrongPoint)
+            && matches!(made, Made::Place(sheet, ..) if self.begins_at_own(entry, *sheet));
+        if !is_known || begins_wrong {
+            for entry in self.as_meant(entry) {
+                let Some((earlier, right)) = self.culprit(&entry, made) else { continue };
+                let own = self.done.iter().find(|(index, _)| *index == earlier);
+                let told = own.and_then(|(_, own)| right.into_iter().find_map(|right| self.slip(own, right, is_typed)));
+                if told.is_none() && is_known {
+                    continue;
+                }
+                let name = things(made).into_iter().next().map_or_else(String::new, |(_, name)| name);
+                verdicts[earlier] = Verdict::Wrong(Wrong { what: says::leads_wrong(name), mistake: told });
+                return Verdict::Follows;
+            }
         }
         Verdict::Wrong(Wrong { what, mistake })
+    }
+
+    /// The entry; of a free line all that it may mean.
+    fn as_meant(&self, entry: &Entry) -> Vec<Entry> {
+        match entry {
+            Entry::Line(line) if line.drawn.is_some() => self.meant(line),
+            other => vec![other.clone()],
+        }
+    }
+
+    /// Whether a vector begins at a point of the hand's own.
+    fn begins_at_own(&self, entry: &Entry, sheet: Sheet) -> bool {
+        matches!(entry, Entry::LayOff(laid) if self.made.contains_key(&(Some(sheet), laid.from.clone())))
     }
 
     /// The mistake of the catalogue that does the same, or a slip that explains it; of a free line whatever it may have meant.
@@ -55,11 +76,15 @@ impl Bench<'_> {
         match entry {
             Entry::Line(line) => {
                 let meant = self.meant(line);
-                meant.iter().find_map(of).or_else(|| meant.iter().find_map(|meant| self.turned_over(meant)))
+                let turned = || self.meant_turned_over(line).into_iter();
+                meant
+                    .iter()
+                    .find_map(of)
+                    .or_else(|| meant.iter().cloned().chain(turned()).find_map(|one| self.turned_over(&one)))
             }
-            // A vector has its classical mistakes; another length is a slip like others.
+            // A vector has its classical mistakes; another length or segment is a slip like others.
             Entry::LayOff(_) => match of(entry) {
-                Some(told) if told.mistake != Mistake::WrongLength => Some(told),
+                Some(told) if !matches!(told.mistake, Mistake::WrongLength | Mistake::WrongSegment) => Some(told),
                 other => slip().or(other),
             },
             // In equations signs are wrong, too, which the catalogue takes for something else.
@@ -117,6 +142,8 @@ impl Bench<'_> {
         let alone = self.as_if_right(entry, is_typed)?;
         let tolerance = if is_typed || has_numbers(entry) { 0.012 } else { 1e-6 };
         let whole = self.written_out(entry);
+            eprintln!("SLIP {whole:?} alone {alone:?} right {right:?} tol {tolerance}");
+        }
         Slip { table, entry: &whole, alone: &alone, right, tolerance, measured: self.measured() }.told()
     }
 
@@ -165,8 +192,8 @@ impl Bench<'_> {
         }
         let given = self.judge.given();
         Some(match (alone, entry) {
-            (Made::Place(..), _) if self.with_right_numbers(entry, true).is_some() => {
-                self.with_right_numbers(entry, true)?
+            (Made::Place(..), _) if self.made_with_right_numbers(entry, true).is_some() => {
+                self.made_with_right_numbers(entry, true)?
             }
             (Made::Place(sheet, name, at), Entry::LayOff(LayOff { from, .. })) => {
                 let own = self.own.place(sheet, from).zip(table.place(sheet, from));
@@ -187,9 +214,9 @@ impl Bench<'_> {
             }
             (Made::Numbers(all), Entry::Compute(_))
                 if all.iter().all(|(name, _)| given.number(name).is_none())
-                    && self.with_right_numbers(entry, true).is_some() =>
+                    && self.made_with_right_numbers(entry, true).is_some() =>
             {
-                self.with_right_numbers(entry, true)?
+                self.made_with_right_numbers(entry, true)?
             }
             (Made::Numbers(all), Entry::Compute(Compute { by: None, .. })) => {
                 let scaled = all.into_iter().map(|(name, number)| {
@@ -227,6 +254,10 @@ impl Bench<'_> {
             return None;
         }
         let hangs_on = self.chain(entry);
+        let with_right_numbers = |entry: &Entry| match is_typed_here(entry) {
+            true => self.with_right_numbers(entry, false).unwrap_or_else(|| entry.clone()),
+            false => entry.clone(),
+        };
         let suspects: Vec<usize> = hangs_on.iter().copied().filter(|index| self.is_unsure(*index)).collect();
         let mended = |suspect: usize| {
             let table = &self.right[0];
@@ -236,10 +267,10 @@ impl Bench<'_> {
                 other.put(instead.clone());
                 for index in hangs_on.iter().filter(|index| **index > suspect) {
                     let (_, entry) = self.done.iter().find(|(other, _)| other == index)?;
-                    let again = other.carried_out_again(entry).ok()?;
+                    let again = other.carried_out_again(&with_right_numbers(entry)).ok()?;
                     other.put(again);
                 }
-                let again = other.carried_out_again(entry).ok()?;
+                let again = other.carried_out_again(&with_right_numbers(entry)).ok()?;
                 self.is_meant(&again, made).then_some(())
             };
             let all = self.causes.instead_of(replaced, table).into_iter();

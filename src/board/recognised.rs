@@ -3,6 +3,7 @@
 
 use super::bench::Bench;
 use super::file::{Compute, Entry, LayOff};
+use super::formula::Formula;
 use super::given::image;
 use super::table::{Made, Table};
 use crate::mechanism::{BodyId, GROUND};
@@ -28,22 +29,26 @@ impl Bench<'_> {
         nearest.map(|[_, right]| right.abs().copysign(typed))
     }
 
-    /// What an entry with typed numbers makes in the scene, with the right ones in their place; `wrongly` as for numbers.
-    pub(super) fn with_right_numbers(&self, entry: &Entry, wrongly: bool) -> Option<Made> {
+    /// An entry with typed numbers with the right ones in their place; `wrongly` as for numbers.
+    pub(super) fn with_right_numbers(&self, entry: &Entry, wrongly: bool) -> Option<Entry> {
         match entry {
             Entry::LayOff(laid) => {
                 let size = self.recognised(self.own.formula(&laid.size).ok()?, wrongly)?;
-                let size = super::formula::Formula::read(&size.to_string()).ok()?;
-                self.right[0].carried_out_again(&Entry::LayOff(LayOff { size, ..laid.clone() })).ok()
+                let size = Formula::read(&size.to_string()).ok()?;
+                Some(Entry::LayOff(LayOff { size, ..laid.clone() }))
             }
             Entry::Compute(compute) => {
                 let Ok(Made::Numbers(all)) = self.own.carried_out_again(entry) else { return None };
                 let value = Some(self.recognised(all.first()?.1, wrongly)?);
-                let typed = Compute { by: None, value, sense: None, ..compute.clone() };
-                self.right[0].carried_out_again(&Entry::Compute(typed)).ok()
+                Some(Entry::Compute(Compute { by: None, value, sense: None, ..compute.clone() }))
             }
             _ => None,
         }
+    }
+
+    /// What that makes in the scene.
+    pub(super) fn made_with_right_numbers(&self, entry: &Entry, wrongly: bool) -> Option<Made> {
+        self.right[0].carried_out_again(&self.with_right_numbers(entry, wrongly)?).ok()
     }
 
     fn worked_out(&self, wrongly: bool) -> Vec<Both> {

@@ -50,6 +50,10 @@ impl Slip<'_, '_> {
                 _ => tell::reversed_vector(from, to),
             });
         }
+        let diameter = self.diameter(&laid.size, name, ratio);
+        if diameter.is_some() {
+            return diameter;
+        }
         let formula = || self.formula(&laid.size, name, meant.norm() * sign);
         let factor = || self.factor(name, Some(&laid.size), ratio * meant.norm(), meant.norm());
         let told = if laid.size.has_numbers() { factor().or_else(formula) } else { formula().or_else(factor) };
@@ -139,7 +143,9 @@ impl Slip<'_, '_> {
     /// The point at a place, from which a vector should have been laid off.
     fn other_start(&self, sheet: Sheet, at: Vector) -> Option<&str> {
         let near = self.tolerance.max(1e-6) * self.table.given.size(sheet);
-        self.table.given.places(sheet).find(|(_, place)| (place - at).norm() <= near).map(|(name, _)| name)
+        let all = self.table.given.places(sheet).chain(self.table.places(sheet));
+        let mut there = all.filter(|(_, place)| (place - at).norm() <= near);
+        there.next().map(|(name, _)| name)
     }
 
     /// The vector of the construction that leads to a point, and where it begins.

@@ -86,9 +86,13 @@ impl Slip<'_, '_> {
         let name = &measure.measure;
         let [from, to] = [table.place(sheet, &measure.from)?, table.place(sheet, &measure.to)?];
         let (run, drawn) = (to - from, (to - from).norm());
-        let near = |x: f64| (x.abs() - read.abs()).abs() <= 0.02 * drawn.min(x.abs());
         // What a hand reads is off by a part of a millimetre.
-        let reading = (FREE * 0.3 * table.scale(sheet) / drawn).clamp(0.012, 0.05);
+        let off = FREE * 0.3 * table.scale(sheet);
+        let near = |x: f64| {
+            let near = (0.02 * drawn.min(x.abs())).max(off.min(0.2 * (drawn - x.abs())));
+            (x.abs() - read.abs()).abs() <= near
+        };
+        let reading = (off / drawn).clamp(0.012, 0.05);
         let [start, end] = [&measure.from, &measure.to].map(|end| Blank::from(end.as_str()));
         let quantity = Blank::Quantity(name.clone());
         if near(run.x) {
@@ -106,6 +110,10 @@ impl Slip<'_, '_> {
             self.is_same(*found, -right) || (self.tolerance > 1e-3 && (found + right).abs() < 0.1 * right.abs());
         if is_turned && (is_rate || name.starts_with("v_r") || name.starts_with("a_r")) {
             return Some(tell::wrong_sense(Blank::Symbol(name.clone())));
+        }
+        let diameter = compute.by.as_ref().and_then(|by| self.diameter(by, name, found / right));
+        if diameter.is_some() {
+            return diameter;
         }
         let factor = || self.factor(name, compute.by.as_ref(), *found, right);
         let of_formula = || compute.by.as_ref().and_then(|by| self.formula(by, name, right));
@@ -274,6 +282,24 @@ impl Slip<'_, '_> {
             }
         }
         written_otherwise(name, found, right, self.tolerance)
+    }
+
+    /// A normal part of a link that is not driven, with the diameter in place of the radius.
+    pub(super) fn diameter(&self, formula: &Formula, name: &str, ratio: f64) -> Option<Told> {
+        let names = formula.names();
+        let rate = names.iter().find(|name| name.starts_with("omega("))?;
+        let length = names.iter().find(|name| name.starts_with("L("))?;
+        let is_squared = formula.has_power() || names.iter().filter(|name| *name == rate).count() == 2;
+        let is_driven = || {
+            let mechanism = self.table.given.mechanism();
+            let mut driven = mechanism.links().filter(|(id, _)| mechanism.is_known(*id));
+            driven.any(|(_, body)| format!("omega({})", body.name) == **rate)
+        };
+        let is_twice = formula.has_numbers() && (ratio.abs() - 2.0).abs() <= 1e-6;
+        (is_squared && is_twice && !is_driven()).then(|| {
+            let [rate, length] = [rate, length].map(|name| Blank::Symbol((*name).to_owned()));
+            tell::diameter(self.start_of(name), name.into(), rate, length)
+        })
     }
 
     /// The first rate that the scene gives.
