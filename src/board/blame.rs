@@ -142,8 +142,6 @@ impl Bench<'_> {
         let alone = self.as_if_right(entry, is_typed)?;
         let tolerance = if is_typed || has_numbers(entry) { 0.012 } else { 1e-6 };
         let whole = self.written_out(entry);
-            eprintln!("SLIP {whole:?} alone {alone:?} right {right:?} tol {tolerance}");
-        }
         Slip { table, entry: &whole, alone: &alone, right, tolerance, measured: self.measured() }.told()
     }
 
