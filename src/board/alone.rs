@@ -146,13 +146,13 @@ impl Bench<'_> {
                 (own - expected).norm() <= self.typed_reach(sheet, run)
             })
         };
-        let as_recognised = || match self.made_with_right_numbers(entry, false) {
-            Some(Made::Place(_, _, at)) => self
-                .judge
-                .given()
-                .place(sheet, name)
-                .is_some_and(|right| (at - right).norm() <= SAME * self.judge.given().size(sheet)),
-            _ => false,
+        let as_recognised = || {
+            let given = self.judge.given();
+            let is_right = |made: &Made| match (made, given.place(sheet, name)) {
+                (Made::Place(_, _, at), Some(right)) => (at - right).norm() <= SAME * given.size(sheet),
+                _ => false,
+            };
+            self.made_with_right_numbers(entry, false).iter().any(is_right)
         };
         if !(is_right || is_typed && (as_expected() || as_recognised())) {
             return Found::Wrong(match entry {

@@ -145,7 +145,11 @@ impl<'j> Bench<'j> {
         };
         let mut is_own = false;
         // A typed number is right where it follows from what the hand has.
-        let mut recognised = if is_typed_here(entry) { self.made_with_right_numbers(entry, false) } else { None };
+        let mut recognised = match is_typed_here(entry) {
+            true => self.made_with_right_numbers(entry, false).into_iter().next(),
+            false => None,
+        };
+        let is_sure = is_sure || recognised.as_ref().is_some_and(|made| self.is_known(entry, made));
         for table in &mut self.right {
             let alone = recognised.take().map_or_else(|| table.carry_out(entry), Ok).unwrap_or_else(|_| made.clone());
             let right = match alone {
@@ -181,6 +185,19 @@ impl<'j> Bench<'j> {
             }
         } else if matches!(made, Made::Line(..)) && is_typed {
             self.typed.extend(things(made));
+        }
+    }
+
+    /// Whether what a recognised number makes in the scene is something with a name: itself, or a vector of the plan.
+    fn is_known(&self, entry: &Entry, made: &Made) -> bool {
+        match (entry, made) {
+            (Entry::LayOff(LayOff { from, .. }), Made::Place(sheet, _, end)) => {
+                let (given, small) = (self.judge.given(), 1e-6 * self.judge.given().size(*sheet));
+                let Some(start) = self.right[0].place(*sheet, from) else { return false };
+                given.vectors(*sheet).iter().any(|known| (end - start - known).norm() <= small)
+            }
+            (_, Made::Numbers(_)) => true,
+            _ => false,
         }
     }
 

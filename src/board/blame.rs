@@ -34,12 +34,13 @@ impl Bench<'_> {
     ) -> Verdict {
         let mistake = self.cause(entry, made, is_typed);
         let is_known = mistake.is_some();
-        // A right vector that does not begin where it should: its beginning may be what is wrong.
-        let begins_wrong = mistake.as_ref().is_some_and(|told| told.mistake == Mistake::VectorFromWrongPoint)
-            && matches!(made, Made::Place(sheet, ..) if self.begins_at_own(entry, *sheet));
+        // A right vector or ray that does not begin where it should: its beginning may be what is wrong.
+        let is_of_start = [Mistake::VectorFromWrongPoint, Mistake::RayFromWrongPoint];
+        let begins_wrong =
+            mistake.as_ref().is_some_and(|told| is_of_start.contains(&told.mistake)) && self.begins_at_own(entry, made);
         if !is_known || begins_wrong {
             for entry in self.as_meant(entry) {
-                let Some((earlier, right)) = self.culprit(&entry, made) else { continue };
+                let Some((earlier, right)) = self.culprit(&entry, made, is_typed) else { continue };
                 let own = self.done.iter().find(|(index, _)| *index == earlier);
                 let told = own.and_then(|(_, own)| right.into_iter().find_map(|right| self.slip(own, right, is_typed)));
                 if told.is_none() && is_known {
@@ -61,17 +62,22 @@ impl Bench<'_> {
         }
     }
 
-    /// Whether a vector begins at a point of the hand's own.
-    fn begins_at_own(&self, entry: &Entry, sheet: Sheet) -> bool {
-        matches!(entry, Entry::LayOff(laid) if self.made.contains_key(&(Some(sheet), laid.from.clone())))
+    /// Whether a vector or a line begins at a point of the hand's own.
+    fn begins_at_own(&self, entry: &Entry, made: &Made) -> bool {
+        let begins = match (entry, made) {
+            (Entry::LayOff(laid), Made::Place(sheet, ..)) => Some((*sheet, &laid.from)),
+            (Entry::Line(line), Made::Line(_, drawn)) => line.through.as_ref().map(|through| (drawn.sheet, through)),
+            _ => None,
+        };
+        begins.is_some_and(|(sheet, from)| self.made.contains_key(&(Some(sheet), from.clone())))
     }
 
     /// The mistake of the catalogue that does the same, or a slip that explains it; of a free line whatever it may have meant.
     fn cause(&self, entry: &Entry, made: &Made, is_typed: bool) -> Option<Told> {
         let slip = || self.meant_to_be(entry, made).and_then(|right| self.slip(entry, right, is_typed));
         let of = |entry: &Entry| {
-            let typed = if is_typed { self.as_if_right(entry, true) } else { None };
-            self.causes.of(entry, made, &self.right, typed.as_ref()).map(|cause| cause.told)
+            let told = |typed: Option<&Made>| self.causes.of(entry, made, &self.right, typed).map(|cause| cause.told);
+            if is_typed { self.as_if_right(entry, true).iter().find_map(|typed| told(Some(typed))) } else { told(None) }
         };
         match entry {
             Entry::Line(line) => {
@@ -139,18 +145,22 @@ impl Bench<'_> {
     /// The slip that explains how an entry makes something else than it should.
     fn slip(&self, entry: &Entry, right: Made, is_typed: bool) -> Option<Told> {
         let table = &self.right[0];
-        let alone = self.as_if_right(entry, is_typed)?;
         let tolerance = if is_typed || has_numbers(entry) { 0.012 } else { 1e-6 };
-        let whole = self.written_out(entry);
-        Slip { table, entry: &whole, alone: &alone, right, tolerance, measured: self.measured() }.told()
+        let (whole, measured) = (self.written_out(entry), self.measured());
+        let told = |alone: &Made| {
+            Slip { table, entry: &whole, alone, right: right.clone(), tolerance, measured: measured.clone() }.told()
+        };
+        self.as_if_right(entry, is_typed).iter().find_map(told)
     }
 
     /// What the hand's own names of measured segments and lengths mean.
     fn measured(&self) -> BTreeMap<String, (Sheet, [String; 2])> {
         let own = self.done.iter().filter_map(|(_, entry)| match entry {
             Entry::Measure(measure) if super::reads::segment_of(&measure.measure).is_none() => {
-                let ends = [measure.from.clone(), measure.to.clone()];
-                Some((measure.measure.clone(), (self.measured_on(measure)?, ends)))
+                let (sheet, ends) = (self.measured_on(measure)?, [measure.from.clone(), measure.to.clone()]);
+                // What lies at a point of the hand's own is as right as that.
+                let have_meaning = ends.iter().all(|end| self.judge.given().place(sheet, end).is_some());
+                have_meaning.then(|| (measure.measure.clone(), (sheet, ends)))
             }
             _ => None,
         });
@@ -180,9 +190,24 @@ impl Bench<'_> {
         }
     }
 
-    /// What an entry makes in the scene with right inputs. A typed number was worked out from the hand's own things: it is taken in the
-    /// same ratio to what should come out of these.
-    fn as_if_right(&self, entry: &Entry, is_typed: bool) -> Option<Made> {
+    /// What an entry may make in the scene with right inputs: a typed number was worked out from the hand's own things, right or by a usual
+    /// mistake.
+    fn as_if_right(&self, entry: &Entry, is_typed: bool) -> Vec<Made> {
+        let mut all: Vec<Made> = self.in_the_same_ratio(entry, is_typed).into_iter().collect();
+        // A number with a meaning of its own is held against what should come out.
+        let has_meaning = |made: &Made| match made {
+            Made::Numbers(all) => all.iter().any(|(name, _)| self.judge.given().number(name).is_some()),
+            _ => false,
+        };
+        if is_typed && !all.iter().any(has_meaning) {
+            all.extend(self.made_with_right_numbers(entry, true));
+        }
+        all
+    }
+
+    /// What an entry makes in the scene with right inputs; a typed number is taken in the same ratio to what should come out of the hand's
+    /// own things.
+    fn in_the_same_ratio(&self, entry: &Entry, is_typed: bool) -> Option<Made> {
         let table = &self.right[0];
         let alone = table.carried_out_again(entry).ok()?;
         if !is_typed {
@@ -190,9 +215,6 @@ impl Bench<'_> {
         }
         let given = self.judge.given();
         Some(match (alone, entry) {
-            (Made::Place(..), _) if self.made_with_right_numbers(entry, true).is_some() => {
-                self.made_with_right_numbers(entry, true)?
-            }
             (Made::Place(sheet, name, at), Entry::LayOff(LayOff { from, .. })) => {
                 let own = self.own.place(sheet, from).zip(table.place(sheet, from));
                 let expected = self.causes.expected_place(&self.own, sheet, &name).zip(given.place(sheet, &name));
@@ -209,12 +231,6 @@ impl Bench<'_> {
                         start + over(times(found, right - begins.1), expected - begins.0).unwrap_or(at - start)
                     });
                 Made::Place(sheet, name, at)
-            }
-            (Made::Numbers(all), Entry::Compute(_))
-                if all.iter().all(|(name, _)| given.number(name).is_none())
-                    && self.made_with_right_numbers(entry, true).is_some() =>
-            {
-                self.made_with_right_numbers(entry, true)?
             }
             (Made::Numbers(all), Entry::Compute(Compute { by: None, .. })) => {
                 let scaled = all.into_iter().map(|(name, number)| {
@@ -247,13 +263,13 @@ impl Bench<'_> {
 
     /// Of the hand's own things on which a wrong entry hangs, the first with which it would be right, were that something that has a
     /// name, as a vector of the plan or a known number, and what that may be. Where there is only one, it is that one.
-    fn culprit(&self, entry: &Entry, made: &Made) -> Option<(usize, Vec<Made>)> {
+    fn culprit(&self, entry: &Entry, made: &Made, is_typed: bool) -> Option<(usize, Vec<Made>)> {
         if self.has_two_exchanged(entry, made) {
             return None;
         }
         let hangs_on = self.chain(entry);
         let with_right_numbers = |entry: &Entry| match is_typed_here(entry) {
-            true => self.with_right_numbers(entry, false).unwrap_or_else(|| entry.clone()),
+            true => self.with_right_numbers(entry, false).into_iter().next().unwrap_or_else(|| entry.clone()),
             false => entry.clone(),
         };
         let suspects: Vec<usize> = hangs_on.iter().copied().filter(|index| self.is_unsure(*index)).collect();
@@ -271,9 +287,17 @@ impl Bench<'_> {
                 let again = other.carried_out_again(&with_right_numbers(entry)).ok()?;
                 self.is_meant(&again, made).then_some(())
             };
-            let all = self.causes.instead_of(replaced, table).into_iter();
+            let is_same_size = |instead: &Made| match (instead, table.carried_out_again(replaced)) {
+                (Made::Numbers(instead), Ok(Made::Numbers(own))) => {
+                    instead.iter().zip(&own).all(|((_, a), (_, b))| (a.abs() - b.abs()).abs() <= 1e-6 * b.abs())
+                }
+                _ => false,
+            };
+            // A size that is right with the other sign is no wrong size.
+            let all = self.causes.instead_of(replaced, table).into_iter().filter(|instead| !is_same_size(instead));
             let right: Vec<Made> = all.filter(|instead| is_right(instead).is_some()).collect();
-            (!right.is_empty()).then_some(right)
+            let is_explained = || right.iter().any(|right| self.slip(replaced, right.clone(), is_typed).is_some());
+            (!right.is_empty() && (self.is_unsure(suspect) || is_explained())).then_some(right)
         };
         // What has a name of its own may still be the wrong one here.
         let all = suspects.iter().chain(hangs_on.iter().filter(|index| !suspects.contains(index)));

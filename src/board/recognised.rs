@@ -15,40 +15,52 @@ const ROUNDED: f64 = 0.006;
 /// How far apart the same number may come out with the hand's own things and with right ones, in parts.
 const APART: f64 = 0.25;
 
+/// Most quantities that a number may be.
+const MOST: usize = 4;
+
 /// A size with the hand's own things and with right ones.
 type Both = [f64; 2];
 
 impl Bench<'_> {
-    /// The right number in place of one that was typed; none where it is no quantity of the hand's own. `wrongly`: also what usual mistakes
-    /// make of one.
-    pub(super) fn recognised(&self, typed: f64, wrongly: bool) -> Option<f64> {
+    /// The right numbers in place of one that was typed, the likeliest first; none where it is no quantity of the hand's own. `wrongly`: also
+    /// what usual mistakes make of one.
+    fn recognised(&self, typed: f64, wrongly: bool) -> Vec<f64> {
         let off = |[own, _]: &Both| (own.abs() - typed.abs()).abs() / own.abs();
         let is_like = |both: &Both| (both[1] / both[0]).abs().ln().abs() < APART;
-        let all = self.worked_out(wrongly).into_iter().filter(|both| off(both) <= ROUNDED && is_like(both));
-        let nearest = all.min_by(|one, other| off(one).total_cmp(&off(other)));
-        nearest.map(|[_, right]| right.abs().copysign(typed))
+        let is_it = |both: &Both| off(both) <= ROUNDED && is_like(both);
+        let mut all: Vec<Both> = self.worked_out(wrongly).into_iter().filter(is_it).collect();
+        all.sort_by(|one, other| off(one).total_cmp(&off(other)));
+        all.truncate(MOST);
+        all.into_iter().map(|[_, right]| right.abs().copysign(typed)).collect()
     }
 
-    /// An entry with typed numbers with the right ones in their place; `wrongly` as for numbers.
-    pub(super) fn with_right_numbers(&self, entry: &Entry, wrongly: bool) -> Option<Entry> {
-        match entry {
+    /// An entry with typed numbers with the right ones in their place, the likeliest first; `wrongly` as for numbers.
+    pub(super) fn with_right_numbers(&self, entry: &Entry, wrongly: bool) -> Vec<Entry> {
+        let typed = match entry {
+            Entry::LayOff(laid) => self.own.formula(&laid.size).ok(),
+            Entry::Compute(_) => match self.own.carried_out_again(entry) {
+                Ok(Made::Numbers(all)) => all.first().map(|(_, number)| *number),
+                _ => None,
+            },
+            _ => None,
+        };
+        let all = typed.map_or_else(Vec::new, |typed| self.recognised(typed, wrongly)).into_iter();
+        let instead = |number: f64| match entry {
             Entry::LayOff(laid) => {
-                let size = self.recognised(self.own.formula(&laid.size).ok()?, wrongly)?;
-                let size = Formula::read(&size.to_string()).ok()?;
-                Some(Entry::LayOff(LayOff { size, ..laid.clone() }))
+                Some(Entry::LayOff(LayOff { size: Formula::read(&number.to_string()).ok()?, ..laid.clone() }))
             }
             Entry::Compute(compute) => {
-                let Ok(Made::Numbers(all)) = self.own.carried_out_again(entry) else { return None };
-                let value = Some(self.recognised(all.first()?.1, wrongly)?);
-                Some(Entry::Compute(Compute { by: None, value, sense: None, ..compute.clone() }))
+                Some(Entry::Compute(Compute { by: None, value: Some(number), sense: None, ..compute.clone() }))
             }
             _ => None,
-        }
+        };
+        all.filter_map(instead).collect()
     }
 
-    /// What that makes in the scene.
-    pub(super) fn made_with_right_numbers(&self, entry: &Entry, wrongly: bool) -> Option<Made> {
-        self.right[0].carried_out_again(&self.with_right_numbers(entry, wrongly)?).ok()
+    /// What these make in the scene.
+    pub(super) fn made_with_right_numbers(&self, entry: &Entry, wrongly: bool) -> Vec<Made> {
+        let all = self.with_right_numbers(entry, wrongly);
+        all.iter().filter_map(|entry| self.right[0].carried_out_again(entry).ok()).collect()
     }
 
     fn worked_out(&self, wrongly: bool) -> Vec<Both> {
