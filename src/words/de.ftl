@@ -2218,6 +2218,7 @@ page-board-slot_sense = Drehsinn
 page-board-slot_base = Linie des Plans, an der der Winkel beginnt, etwa b,c
 page-board-slot_made = Was gezeichnet wurde
 page-board-which_of = {$count} Punkte liegen hier dicht beieinander: welcher?
+page-board-which_direction = {$count} Richtungen treffen sich hier: welche?
 page-board-wants_sheet = Auf welchem Blatt?
 page-board-wants_point = Ein Punkt fehlt: drücken oder wählen.
 page-board-wants_scheme = Ein Punkt des Schemas fehlt.

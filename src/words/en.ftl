@@ -2251,6 +2251,7 @@ page-board-slot_sense = Sense
 page-board-slot_base = Line of the plan where the angle begins, such as b,c
 page-board-slot_made = What was drawn
 page-board-which_of = {$count} points are close together here: which one?
+page-board-which_direction = {$count} directions meet here: which one?
 page-board-wants_sheet = Which sheet?
 page-board-wants_point = A point is missing: press one, or choose it.
 page-board-wants_scheme = A point of the scheme is missing.

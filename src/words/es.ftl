@@ -2216,6 +2216,7 @@ page-board-slot_sense = Sentido
 page-board-slot_base = Recta del plano donde empieza el ángulo, como b,c
 page-board-slot_made = Lo dibujado
 page-board-which_of = Aquí hay {$count} puntos muy juntos: ¿cuál?
+page-board-which_direction = Aquí se cruzan {$count} direcciones: ¿cuál?
 page-board-wants_sheet = ¿En qué lámina?
 page-board-wants_point = Falta un punto: púlselo o elíjalo.
 page-board-wants_scheme = Falta un punto del esquema.

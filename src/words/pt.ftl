@@ -2218,6 +2218,7 @@ page-board-slot_sense = Sentido
 page-board-slot_base = Reta do polígono onde o ângulo começa, como b,c
 page-board-slot_made = O que foi desenhado
 page-board-which_of = Aqui há {$count} pontos muito juntos: qual?
+page-board-which_direction = Aqui cruzam-se {$count} direções: qual?
 page-board-wants_sheet = Em que folha?
 page-board-wants_point = Falta um ponto: toque ou escolha.
 page-board-wants_scheme = Falta um ponto do esquema.
