@@ -57,6 +57,8 @@ pub struct CenterVelocity {
     pub velocity: Vector,
     /// The angular velocity of the link.
     pub omega: f64,
+    /// Names of the quantities that are found with it: the distance that is measured, size and direction.
+    pub names: Vec<String>,
 }
 
 impl CenterVelocity {
@@ -88,7 +90,17 @@ impl Writer<'_> {
             };
             let link = holders().find(is_pivoted).or_else(|| holders().next())?;
             let (arrow, velocity) = (Vector::zeros(), Vector::zeros());
-            Some(CenterVelocity { point: *point, link, driver, push, end: None, arrow, velocity, omega: 0.0 })
+            Some(CenterVelocity {
+                point: *point,
+                link,
+                driver,
+                push,
+                end: None,
+                arrow,
+                velocity,
+                omega: 0.0,
+                names: Vec::new(),
+            })
         };
         points.iter().filter_map(plan).collect()
     }
@@ -109,6 +121,7 @@ impl Writer<'_> {
                 let line = self.join_places(Sheet::Centers, OperationRole::Line, [from, to]);
                 let kind = NumberKind::Length([End::Center(pole), End::Joint(found.point)]);
                 let arm = self.measure(Sheet::Centers, kind, [from, to], MeasuredAs::Along(line));
+                found.names.push(self.construction.number_name(self.mechanism, arm));
                 (Product::new(ProductKind::Turning, 1.0, &[rate, arm]), Along::line(line).turned(1))
             }
             // What is pushed along a guide of the frame.
@@ -130,13 +143,18 @@ impl Writer<'_> {
                 let line = self.join_places(Sheet::Centers, OperationRole::Line, [from, to]);
                 let kind = NumberKind::Length([End::Center(fixed), End::Center(common)]);
                 let arm = self.measure(Sheet::Centers, kind, [from, to], MeasuredAs::Along(line));
+                found.names.push(self.construction.number_name(self.mechanism, arm));
                 (Product::new(ProductKind::Turning, 1.0, &[given, arm]), Along::line(line).turned(1))
             }
         };
         let step = self.begin(Sheet::Centers);
         let per_rate = self.length_per_velocity(&found)?;
         let at = self.plot_on(Sheet::Centers, found.point);
-        let end = self.lay_off(Sheet::Centers, at, vec![size.times(per_rate)], along);
+        let speed = self.compute(Sheet::Centers, NumberKind::SpeedByCenters(found.point), vec![size]);
+        let on_paper = Product::new(ProductKind::Plain, per_rate, &[speed]);
+        let end = self.lay_off(Sheet::Centers, at, vec![on_paper], along);
+        let point = self.mechanism.point_name(found.point);
+        found.names.extend(["size", "angle"].map(|part| format!("v({point}).{part}")));
         found.end = Some(end);
         found.arrow = (self.exact_place(end) - self.exact_place(at)).rounded();
         found.velocity = found.arrow / per_rate;
@@ -176,7 +194,8 @@ impl Writer<'_> {
             let step = self.begin(Sheet::Centers);
             let rate = self.rate_by_centers(link, driver, given)?;
             let value = self.number(rate);
-            self.finish(step, Action::RateByCenters { link, driver, value });
+            let names = self.names_of_rate(link, driver, rate);
+            self.finish(step, Action::RateByCenters { link, driver, value, names });
             Some(rate)
         })
     }
@@ -211,7 +230,8 @@ impl Writer<'_> {
         let found = self.solve(Sheet::Centers, vec![NumberKind::RateByCenters(link)], vec![equation])?;
         let rate = found.first().copied()?;
         let value = self.number(rate);
-        self.finish(step, Action::RateBySlide { link, at, slider: push.slider, value });
+        let names = [length, rate].map(|number| self.construction.number_name(self.mechanism, number)).to_vec();
+        self.finish(step, Action::RateBySlide { link, at, slider: push.slider, value, names });
         Some(rate)
     }
 
@@ -247,6 +267,26 @@ impl Writer<'_> {
         };
         let found = self.solve(Sheet::Centers, vec![NumberKind::RateByCenters(link)], vec![equation])?;
         found.first().copied()
+    }
+
+    /// The names of the distances from which an angular velocity is found, and its own.
+    fn names_of_rate(&self, link: BodyId, driver: BodyId, rate: NumberId) -> Vec<String> {
+        let centers = self.construction.centers.as_deref();
+        let name = |a: BodyId, b: BodyId| {
+            let centers = centers?;
+            Some(centers.get(centers.of(LinkPair::new(a, b)?)?).name.as_str())
+        };
+        let own = self.construction.number_name(self.mechanism, rate);
+        let common = centers.zip(LinkPair::new(driver, link)).and_then(|(all, pair)| Some(all.get(all.of(pair)?)));
+        // Of links that turn alike nothing is measured.
+        if common.is_none_or(|common| common.place.finite().is_none()) {
+            return vec![own];
+        }
+        let lengths = [driver, link].map(|body| {
+            let [from, to] = [name(body, GROUND)?, name(driver, link)?];
+            Some(Sheet::Centers.segment_name(from, to))
+        });
+        lengths.into_iter().flatten().chain([own]).collect()
     }
 
     pub(super) fn center_of_links(&mut self, a: BodyId, b: BodyId) -> Option<CenterId> {
