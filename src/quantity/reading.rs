@@ -1,11 +1,11 @@
 //! How quantities are read from a hand drawing.
 
 use super::name::{AccelerationPart, Pole, PoleOf, QuantityRequest, Spot, What};
-use crate::construction::{
-    Along, CenterId, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole,
-    PlaceId, Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
-};
 use crate::construction::Spot as DrawnAt;
+use crate::construction::{
+    Along, CenterId, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId,
+    Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
+};
 use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::scene::{Component, QuantityName};
 use crate::sheet::{Order, Sheet};
@@ -114,9 +114,10 @@ enum VectorSource {
 impl Reader<'_> {
     fn reading(&mut self, asked: &QuantityRequest) -> Result<Reading, Unread> {
         let (number, sense) = self.number(asked)?;
+        let sheet = asked.sheet_by_hand(&self.writer.construction);
         match self.writer.is_by_hand(number) {
             false => Err(Unread::NoConstruction),
-            true => Ok(Reading { number, sense, sheet: asked.sheet() }),
+            true => Ok(Reading { number, sense, sheet }),
         }
     }
 
