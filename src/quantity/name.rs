@@ -382,10 +382,10 @@ impl Finder<'_> {
     }
 
     fn slider(&self, name: &str) -> Result<SliderId, QuantityError> {
-        let names: Vec<String> = self.mechanism.slider_ids().map(|id| self.mechanism.slider_name(id)).collect();
-        let found = names.iter().position(|n| n == name).map(SliderId);
-        let known = || names.iter().map(String::as_str);
-        found.ok_or_else(|| unknown(self.name, Part::Slider, name, known()))
+        self.mechanism.slider_named(name).ok_or_else(|| {
+            let names: Vec<String> = self.mechanism.slider_ids().map(|id| self.mechanism.slider_name(id)).collect();
+            unknown(self.name, Part::Slider, name, names.iter().map(String::as_str))
+        })
     }
 
     /// The names of special points, each with the link to which it belongs.

@@ -811,6 +811,14 @@ scene-distance_on_ground = das Gestell hat keine Achse; geben Sie einen Punkt od
 scene-load_name = `{$name}` kann nicht der Name einer Last sein: ein Name ist nicht leer und hat kein ( ) und kein Komma
 scene-load_name_twice = zwei Lasten haben den Namen {$name}
 scene-other_load_name = wählen Sie einen anderen Namen für die Last
+scene-over_what = eine Last kann sich nicht über {$name} ändern
+scene-over_angle_or_position = nenne den Winkel eines Glieds als "angle(1)" oder die Lage eines Gleitsteins als "position(3/ground)"
+scene-over_short = eine Tabelle hat mindestens zwei Zeilen
+scene-over_two_lines = gib Paare aus Stelle und Faktor an, wie [[0, 0], [90, 1500], [180, 0]]
+scene-over_back = {$after} steht nach {$before}
+scene-over_in_order = ordne die Zeilen der Tabelle nach ihrer ersten Zahl
+scene-over_more_than_a_turn = eine Tabelle über einem Winkel wiederholt sich mit jeder Umdrehung, und diese ist länger
+scene-over_one_turn = gib höchstens 360° an
 scene-spring_ends = eine Feder hat zwei Enden, nicht {$count}
 
 # The figure.
@@ -890,6 +898,8 @@ scene-expects_object = ein Objekt {"{"} … {"}"}
 
 mechanism-nothing_to_solve = nichts zu lösen: die Bewegung aller Glieder ist gegeben
 mechanism-add_links = ergänzen Sie Glieder zwischen den angetriebenen Gliedern, den bekannten Punkten und dem Gestell
+mechanism-over_no_slider = es gibt keinen Gleitstein {$name}, über dessen Lage sich eine Last ändern könnte
+mechanism-over_no_zero = die Lage von {$name} zählt von keinem Punkt an, so dass sich keine Last über ihr ändern kann
 mechanism-angle_of_another = der Winkel von Glied {$link} kann den des Antriebs nicht ersetzen: er ändert sich nicht mit diesem Antrieb
 mechanism-angle_in_drive = geben Sie im Antrieb an, wo er steht, oder den Winkel eines Gliedes, das sich mit ihm dreht
 mechanism-mirror_image = Glied {$link}: seine Längen passen zu einem Dreieck und zu dessen Spiegelbild; genommen wird {$points}, gegen den Uhrzeigersinn. Um zu wählen, geben Sie in `near` ungefähre Orte seiner Punkte an
@@ -2208,6 +2218,7 @@ page-board-slot_sense = Drehsinn
 page-board-slot_base = Linie des Plans, an der der Winkel beginnt, etwa b,c
 page-board-slot_made = Was gezeichnet wurde
 page-board-which_of = {$count} Punkte liegen hier dicht beieinander: welcher?
+page-board-which_direction = {$count} Richtungen treffen sich hier: welche?
 page-board-wants_sheet = Auf welchem Blatt?
 page-board-wants_point = Ein Punkt fehlt: drücken oder wählen.
 page-board-wants_scheme = Ein Punkt des Schemas fehlt.

@@ -841,6 +841,14 @@ scene-distance_on_ground = the ground has no axis; give a point or coordinates [
 scene-load_name = `{$name}` cannot be the name of a load: a name is not empty and has no ( ) or comma
 scene-load_name_twice = two loads have the name {$name}
 scene-other_load_name = choose another name for the load
+scene-over_what = a load cannot change over {$name}
+scene-over_angle_or_position = give the angle of a link as "angle(1)", or the position of a slider as "position(3/ground)"
+scene-over_short = a table has at least two lines
+scene-over_two_lines = give pairs of a place and a factor, as [[0, 0], [90, 1500], [180, 0]]
+scene-over_back = {$after} stands after {$before}
+scene-over_in_order = order the lines of the table by their first number
+scene-over_more_than_a_turn = a table over an angle repeats with every turn, and this one is longer than that
+scene-over_one_turn = give 360° at most
 scene-spring_ends = a spring has two ends, not {$count}
 
 # The figure.
@@ -920,6 +928,8 @@ scene-expects_object = an object {"{"} … {"}"}
 
 mechanism-nothing_to_solve = nothing to solve: every link's motion is given
 mechanism-add_links = add links between the driven links, the known points and the ground
+mechanism-over_no_slider = there is no slider {$name} over whose position a load could change
+mechanism-over_no_zero = the position of {$name} counts from no point, so that no load can change over it
 mechanism-angle_of_another = the angle of link {$link} cannot stand in place of the drive's: it does not change with that drive
 mechanism-angle_in_drive = say in the drive where it stands, or give the angle of a link that turns with it
 mechanism-mirror_image = link {$link}: its lengths fit a triangle and its mirror image; the counter-clockwise one {$points} is taken. Give rough places of its points in `near` to choose
@@ -2241,6 +2251,7 @@ page-board-slot_sense = Sense
 page-board-slot_base = Line of the plan where the angle begins, such as b,c
 page-board-slot_made = What was drawn
 page-board-which_of = {$count} points are close together here: which one?
+page-board-which_direction = {$count} directions meet here: which one?
 page-board-wants_sheet = Which sheet?
 page-board-wants_point = A point is missing: press one, or choose it.
 page-board-wants_scheme = A point of the scheme is missing.

@@ -809,6 +809,14 @@ scene-distance_on_ground = el bastidor no tiene eje; dé un punto o coordenadas 
 scene-load_name = `{$name}` no puede ser el nombre de una carga: un nombre no está vacío y no tiene ( ) ni coma
 scene-load_name_twice = dos cargas tienen el nombre {$name}
 scene-other_load_name = elija otro nombre para la carga
+scene-over_what = una carga no puede cambiar según {$name}
+scene-over_angle_or_position = da el ángulo de un eslabón como "angle(1)", o la posición de una corredera como "position(3/ground)"
+scene-over_short = una tabla tiene al menos dos líneas
+scene-over_two_lines = da pares de un lugar y un factor, como [[0, 0], [90, 1500], [180, 0]]
+scene-over_back = {$after} está después de {$before}
+scene-over_in_order = ordena las líneas de la tabla por su primer número
+scene-over_more_than_a_turn = una tabla según un ángulo se repite en cada vuelta, y esta es más larga
+scene-over_one_turn = da 360° como mucho
 scene-spring_ends = un resorte tiene dos extremos, no {$count}
 
 # The figure.
@@ -888,6 +896,8 @@ scene-expects_object = un objeto {"{"} … {"}"}
 
 mechanism-nothing_to_solve = no hay nada que resolver: está dado el movimiento de todos los eslabones
 mechanism-add_links = añada eslabones entre los accionados, los puntos conocidos y el bastidor
+mechanism-over_no_slider = no hay ninguna corredera {$name} según cuya posición pudiera cambiar una carga
+mechanism-over_no_zero = la posición de {$name} no se cuenta desde ningún punto, así que ninguna carga puede cambiar según ella
 mechanism-angle_of_another = el ángulo del eslabón {$link} no puede sustituir al del accionamiento: no cambia con este
 mechanism-angle_in_drive = diga en el accionamiento dónde está, o dé el ángulo de un eslabón que gire con él
 mechanism-mirror_image = eslabón {$link}: sus longitudes valen para un triángulo y para su imagen especular; se toma el antihorario {$points}. Para elegir, dé lugares aproximados de sus puntos en `near`
@@ -2206,6 +2216,7 @@ page-board-slot_sense = Sentido
 page-board-slot_base = Recta del plano donde empieza el ángulo, como b,c
 page-board-slot_made = Lo dibujado
 page-board-which_of = Aquí hay {$count} puntos muy juntos: ¿cuál?
+page-board-which_direction = Aquí se cruzan {$count} direcciones: ¿cuál?
 page-board-wants_sheet = ¿En qué lámina?
 page-board-wants_point = Falta un punto: púlselo o elíjalo.
 page-board-wants_scheme = Falta un punto del esquema.

@@ -811,6 +811,14 @@ scene-distance_on_ground = a base não tem eixo; dê um ponto ou coordenadas [x,
 scene-load_name = `{$name}` não pode ser o nome de uma carga: um nome não é vazio e não tem ( ) nem vírgula
 scene-load_name_twice = duas cargas têm o nome {$name}
 scene-other_load_name = escolha outro nome para a carga
+scene-over_what = uma carga não pode mudar com {$name}
+scene-over_angle_or_position = dê o ângulo de um elo como "angle(1)", ou a posição de um cursor como "position(3/ground)"
+scene-over_short = uma tabela tem pelo menos duas linhas
+scene-over_two_lines = dê pares de um lugar e um fator, como [[0, 0], [90, 1500], [180, 0]]
+scene-over_back = {$after} está depois de {$before}
+scene-over_in_order = ordene as linhas da tabela pelo seu primeiro número
+scene-over_more_than_a_turn = uma tabela sobre um ângulo repete-se em cada volta, e esta é mais longa
+scene-over_one_turn = dê no máximo 360°
 scene-spring_ends = uma mola tem duas extremidades, não {$count}
 
 # The figure.
@@ -890,6 +898,8 @@ scene-expects_object = um objeto {"{"} … {"}"}
 
 mechanism-nothing_to_solve = não há nada a resolver: o movimento de todos os elos está dado
 mechanism-add_links = acrescente elos entre os acionados, os pontos conhecidos e a base
+mechanism-over_no_slider = não há nenhum cursor {$name} com cuja posição uma carga pudesse mudar
+mechanism-over_no_zero = a posição de {$name} não se conta a partir de nenhum ponto, pelo que nenhuma carga pode mudar com ela
 mechanism-angle_of_another = o ângulo do elo {$link} não pode substituir o do acionamento: não muda com ele
 mechanism-angle_in_drive = diga no acionamento onde ele está, ou dê o ângulo de um elo que gire com ele
 mechanism-mirror_image = elo {$link}: seus comprimentos servem para um triângulo e para sua imagem espelhada; toma-se o anti-horário {$points}. Para escolher, dê lugares aproximados dos seus pontos em `near`
@@ -2208,6 +2218,7 @@ page-board-slot_sense = Sentido
 page-board-slot_base = Reta do polígono onde o ângulo começa, como b,c
 page-board-slot_made = O que foi desenhado
 page-board-which_of = Aqui há {$count} pontos muito juntos: qual?
+page-board-which_direction = Aqui cruzam-se {$count} direções: qual?
 page-board-wants_sheet = Em que folha?
 page-board-wants_point = Falta um ponto: toque ou escolha.
 page-board-wants_scheme = Falta um ponto do esquema.
