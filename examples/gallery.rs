@@ -9,8 +9,8 @@ use kinegon::drawing::{Drawing, Overlay, curves, hodographs, overlay, paths};
 use kinegon::exercise::Exercises;
 use kinegon::format::{Text, structure, svg_with};
 use kinegon::scene::{
-    CoriolisName, DecimalMark, Figure, FrameName, LanguageName, LengthUnit, NotationName, Page, PageSize, ScalesFor,
-    Scene, SlidingName, StyleName, TurnedName, ValuesShown,
+    CentersShown, CoriolisName, DecimalMark, Figure, FrameName, LanguageName, LengthUnit, NotationName, Page, PageSize,
+    ScalesFor, Scene, SlidingName, StyleName, TurnedName, ValuesShown,
 };
 use kinegon::{PerSheet, Scales, Sheet};
 use std::error::Error;
@@ -112,7 +112,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 28] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 30] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -276,6 +276,26 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 28] = [
         "curves scene.json --path \"F, E\"",
         "Paths as charts, y over x at one scale, marked every 30° of the crank.",
         Kind::Paths(&["F", "E"]),
+    ),
+    (
+        "centers",
+        "templates/whitworth.json",
+        "draw scene.json --centers=all --velocities E",
+        "All instant centres by Kennedy's lines, in the order of the circle diagram, and a velocity by them.",
+        Kind::Figure(|figure| {
+            figure.panels = vec![Sheet::Scheme, Sheet::Centers];
+            (figure.centers, figure.velocities) = (CentersShown::All, owned(&["E"]));
+        }),
+    ),
+    (
+        "curvature",
+        "templates/stephenson-3.json",
+        "draw scene.json --centers=\"P(2,ground)\" --curvature E",
+        "The centre of curvature of a coupler point's path by Bobillier's construction: no length is measured.",
+        Kind::Figure(|figure| {
+            figure.panels = vec![Sheet::Scheme, Sheet::Centers];
+            (figure.centers, figure.curvature) = (CentersShown::Named(owned(&["P(2,ground)"])), owned(&["E"]));
+        }),
     ),
     (
         "exercise",
