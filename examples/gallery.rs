@@ -279,17 +279,17 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 30] = [
     ),
     (
         "centers",
-        "templates/whitworth.json",
-        "draw scene.json --centers=all --velocities E",
-        "All instant centres by Kennedy's lines, in the order of the circle diagram, and a velocity by them.",
+        "examples/figure-2.json",
+        "draw scene.json --centers=all",
+        "All instant centres by Kennedy's lines, in the order of the circle diagram; far ones at arrows.",
         Kind::Figure(|figure| {
             figure.panels = vec![Sheet::Scheme, Sheet::Centers];
-            (figure.centers, figure.velocities) = (CentersShown::All, owned(&["E"]));
+            figure.centers = CentersShown::All;
         }),
     ),
     (
         "curvature",
-        "templates/stephenson-3.json",
+        "tests/worked/SC01-khurmi-7.2/scene.json",
         "draw scene.json --centers=\"P(2,ground)\" --curvature E",
         "The centre of curvature of a coupler point's path by Bobillier's construction: no length is measured.",
         Kind::Figure(|figure| {
