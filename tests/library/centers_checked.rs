@@ -181,7 +181,7 @@ fn a_figure_with_a_plan_beside_its_centres_makes_exercises_of_both() {
     let base = with_figure("four-bar", json!({ "panels": ["scheme", "velocity", "centers"] }));
     let exercise = Exercises::new(&base, None, 3).expect("it can vary").next().expect("an exercise");
     let names: Vec<String> = exercise.key().values.keys().cloned().collect();
-    for name in ["vplan(p,c)", "omega(3)", "P(1,3).x"] {
+    for name in ["vplan(d,c)", "omega(3)", "P(1,3).x"] {
         assert!(names.iter().any(|own| own == name), "{name} in {names:?}");
     }
 }
