@@ -2,6 +2,7 @@ use super::cut::{Special, SpecialId};
 use super::kennedy::{Center, CenterId, Centers};
 use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{Along, LineId, Operation, PlaceId, StepId};
+use super::polygon::ForcePlan;
 use super::run::{Disturbance, Values};
 use super::step::{Action, Arrow, NumberedStep, Plan, Ray, VectorOf};
 use crate::geometry::{Ball, Point};
@@ -26,6 +27,8 @@ pub struct Construction {
     pub plans: [Plan; 2],
     /// The instant centres that the figure asks for, and how they are found.
     pub centers: Option<Box<Centers>>,
+    /// The force plan, where the figure asks for it.
+    pub forces: Option<Box<ForcePlan>>,
     /// How the velocity plan is turned by 90°, where it is.
     pub turned: Option<TurnedName>,
     /// The operations of ruler, pencil and calculator, each after those whose results it uses.
@@ -81,6 +84,7 @@ impl Construction {
             steps: PerSheet::default(),
             plans: Order::ALL.map(Plan::new),
             centers: None,
+            forces: None,
             turned: None,
             operations: Vec::new(),
             origin,
@@ -201,7 +205,7 @@ impl Construction {
             NumberKind::Rate(rate) => rate.name(mechanism),
             NumberKind::RateByCenters(link) => Rate::Angular(Order::Velocity, *link).name(mechanism),
             NumberKind::Reading(name) => name.clone(),
-            NumberKind::Size => String::new(),
+            NumberKind::Size | NumberKind::Force | NumberKind::Arm | NumberKind::Moment => String::new(),
         }
     }
 

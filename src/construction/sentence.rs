@@ -109,7 +109,9 @@ impl<'a> Teller<'a> {
                 language.solve(&names.join(", "))
             }
             Action::NoConstruction(far) => no_construction(self.words, far),
-            centers => self.caption_of_centers(centers).unwrap_or_default(),
+            other => {
+                self.caption_of_centers(other).or_else(|| self.caption_of_forces(other)).unwrap_or_default()
+            }
         }
     }
 
@@ -132,7 +134,9 @@ impl<'a> Teller<'a> {
             | Action::Coincide { .. }
             | Action::Solve { .. }
             | Action::NoConstruction(_) => Formula::default(),
-            centers => self.formula_of_centers(centers).unwrap_or_default(),
+            other => {
+                self.formula_of_centers(other).or_else(|| self.formula_of_forces(other)).unwrap_or_default()
+            }
         }
     }
 

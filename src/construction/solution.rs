@@ -4,6 +4,7 @@ use super::constructed::{Construction, Extent};
 use super::cut::{Special, SpecialId, special_points};
 use super::leg::DrawnSpecial;
 use super::markup::{no_construction, plain_text};
+use super::polygon::force_plan;
 use super::step::Action;
 use super::writer::Writer;
 use crate::centers::LinkPair;
@@ -44,6 +45,9 @@ impl Solution {
         let mut construction = construct(&mechanism, &pose, &motion, extent);
         if scene.figure.shown_panels().contains(&Sheet::Centers) {
             construction = with_centers(&scene.figure, (&mechanism, &pose, &motion), construction);
+        }
+        if scene.figure.shown_panels().contains(&Sheet::Forces) {
+            construction = with_forces((&mechanism, &pose, &motion), construction);
         }
         // A work sheet is drawn on.
         let turned = scene.figure.turned.filter(|_| !scene.figure.worksheet);
@@ -133,6 +137,17 @@ fn with_centers(
     let points: Vec<PointId> = figure.velocities.iter().filter_map(|name| mechanism.point(name)).collect();
     let mut writer = Writer::continued(mechanism, pose, motion, construction);
     writer.centers(&wanted, &points);
+    writer.construction
+}
+
+/// A construction with the force plan; without loads, and in a singular position, there is none.
+fn with_forces(
+    (mechanism, pose, motion): (&Mechanism, &Pose, &Motion),
+    construction: Construction,
+) -> Construction {
+    let Some(computed) = forces(mechanism, &AtPose::new(mechanism, pose)) else { return construction };
+    let mut writer = Writer::continued(mechanism, pose, motion, construction);
+    force_plan(&mut writer, &computed);
     writer.construction
 }
 

@@ -2,6 +2,7 @@
 
 use super::cut::SpecialId;
 use super::kennedy::{CenterId, CenterLine, FigureOf};
+use super::polygon::ForceStep;
 use crate::centers::LinkPair;
 use crate::geometry::Vector;
 use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
@@ -111,6 +112,8 @@ pub enum Action {
     },
     /// Lay off the velocity of a point, normal to its ray from the centre of its link: index among the velocities by centres.
     VelocityByCenters(usize),
+    /// Something of the force plan.
+    Force(ForceStep),
     /// There is no construction by two rays: names of the special points at infinity, where these are the reason; else
     /// none.
     NoConstruction(Vec<String>),
@@ -161,7 +164,8 @@ impl NumberedStep<'_> {
             | Action::LeaveOut { .. }
             | Action::CentersByRates(_)
             | Action::RateByCenters { .. }
-            | Action::VelocityByCenters(_) => Vec::new(),
+            | Action::VelocityByCenters(_)
+            | Action::Force(_) => Vec::new(),
             action => {
                 let image = self.plan.zip(action.image());
                 image.map(|(plan, point)| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()

@@ -76,6 +76,7 @@ mod facts;
 mod figure;
 mod film;
 mod fonts;
+mod forces;
 #[doc(hidden)] // for tests
 pub mod grid;
 mod held_layout;

@@ -7,6 +7,7 @@ messages! { "drawing":
     velocity_plan;
     acceleration_plan;
     centers;
+    force_plan;
     overflow(panel, key, given, fitting);
     no_scale;
     cost_of_list(scales);

@@ -30,6 +30,7 @@ mod power;
 
 pub use acting::Source;
 pub use carried::{Agreement, Drive, Forces};
+pub(crate) use equilibrium::{driven, own_joint};
 
 use crate::geometry::{Ball, Pair, Vector};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};

@@ -108,6 +108,26 @@ velocity_by_centers = {$vector} normal zum Polstrahl {$from} {$point} antragen.
 velocity_of_center = {$vector} antragen, die von {$center}: Glied {$link} dreht sich nicht.
 centers_differ = Die Pole aus diesen Geraden und aus der berechneten Bewegung unterscheiden sich um {$difference} der Größe des Getriebes; die Schnitte erlauben {$allowed}.
 
+weight_letter = G
+one_link = Glied {$link}
+several_links = Glieder {$links}
+force_moments = Momente um {$point}, {$links}: {$force}.
+force_moments_crossing = Momente um den Schnittpunkt der Wirkungslinien von {$first} und {$second}, {$links}: {$force}.
+force_couple = Momente um {$point}, {$links}: {$couple}, mit dem die Kraft in der Führung von {$guide} neben {$point} wirkt.
+force_begin = Krafteck, {$links}, mit {$scale}: {$force} antragen.
+force_lay_off = {$force} antragen.
+force_direction = Richtung von {$force} zeichnen.
+force_cross = Der Schnittpunkt ergibt {$first} und {$second}.
+force_close = {$force} schließt das Krafteck.
+force_sum = {$force} ist die Summe der Anteile.
+force_inner = {$force} schließt das Krafteck für {$links} allein.
+force_push = Entlang der Führung von {$guide} schiebt der Antrieb mit {$force}.
+forces_by_numbers = Für die Gelenkkräfte, {$links}, gibt es hier keine Konstruktion: sie sind aus den Gleichgewichtsbedingungen angetragen.
+force_polygon = Krafteck, {$links}: {$known} antragen.
+force_polygon_closed = Schließende Kräfte: {$forces}.
+force_polygon_joined = Aus Ecken: {$forces}.
+forces_differ = Die Kräfte aus diesen Kraftecken und aus den Gleichgewichtsbedingungen unterscheiden sich um {$difference} der größten Kraft; Rundung und Schnitte erlauben {$allowed}.
+
 # The figure.
 
 title = Geschwindigkeits- und Beschleunigungsplan
@@ -117,6 +137,7 @@ velocity_plan = Geschwindigkeitsplan
 turned_plan = {$plan}, um {$angle}° gedreht
 acceleration_plan = Beschleunigungsplan
 centers = Momentanpole
+force_plan = Kräfteplan
 far_away = {$point}: {$distance} von {$from}
 far_in_plan = bis {$point}: {$distance}
 cut_at_edge = am Rand abgeschnitten
@@ -150,10 +171,12 @@ named_scheme = Lageplan
 named_velocity_plan = Geschwindigkeitsplan
 named_acceleration_plan = Beschleunigungsplan
 named_centers = Momentanpole
+named_force_plan = Kräfteplan
 described_scheme = der Mechanismus im Maßstab
 described_velocity_plan = sein Geschwindigkeitsplan
 described_acceleration_plan = sein Beschleunigungsplan
 described_centers = seine Momentanpole
+described_force_plan = sein Kräfteplan
 described_group = Klasse {$class}, Glieder {$links}
 higher = über IV
 
@@ -1098,6 +1121,7 @@ drawing-scheme = der Lageplan
 drawing-velocity_plan = der Geschwindigkeitsplan
 drawing-acceleration_plan = der Beschleunigungsplan
 drawing-centers = die Figur der Momentanpole
+drawing-force_plan = Kräfteplan
 drawing-overflow = {$panel} passt bei {$key} = {$given} nicht in sein Feld und ist dort abgeschnitten; {$fitting} passt, oder ein größeres Blatt
 drawing-no_scale = keiner
 drawing-cost_of_list = die Maßstäbe lassen Platz für die Ergebnisliste: {$scales}
