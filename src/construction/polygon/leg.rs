@@ -115,7 +115,7 @@ impl Statics<'_, '_> {
                 let mut chain = self.chain(bodies);
                 self.lay_off_all(&mut chain, &set.forces);
                 let along = (part(ForcePart::AlongGuide), at, guide);
-                let across = (Statics::part(y, other, ForcePart::AcrossGuide), at_guide, guide.turned(1));
+                let across = (ForceOf::Both { joints: [x, y], on }, at_guide, guide.turned(1));
                 let ([along, _], _) = self.close_by_two(&chain, [along, across])?;
                 Some(leg(Some(along), None, rest, of))
             }

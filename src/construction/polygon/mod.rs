@@ -86,6 +86,23 @@ pub enum ForceOf {
         /// Which part of it.
         part: ForcePart,
     },
+    /// What two joints do to links across the guide of the second one: their moments tell each alone.
+    Both {
+        /// The joints.
+        joints: [JointId; 2],
+        /// The body that receives the force of the first.
+        on: BodyId,
+    },
+}
+
+impl ForceOf {
+    /// The body that receives the force, if it is no load.
+    pub(super) fn on(self) -> Option<BodyId> {
+        match self {
+            ForceOf::Joint { on, .. } | ForceOf::Both { on, .. } => Some(on),
+            ForceOf::Load(_) => None,
+        }
+    }
 }
 
 /// A part of the force in a joint.

@@ -5,7 +5,7 @@ use super::{ForceOf, ForcePart, ForceStep, Polygon, Side, SideKind};
 use crate::construction::number::{NumberKind, Product};
 use crate::construction::operation::{Along, MeasuredAs, OperationKind, OperationRole, PlaceId};
 use crate::geometry::Vector;
-use crate::mechanism::{BodyId, JointId};
+use crate::mechanism::{BodyId, GROUND, JointId};
 use crate::sheet::Sheet;
 
 /// White between polygons, in parts of the largest one's size.
@@ -34,7 +34,7 @@ impl Statics<'_, '_> {
 
     fn add_side(&mut self, polygon: usize, of: ForceOf, ends: [PlaceId; 2], kind: SideKind) -> usize {
         let on = match of {
-            ForceOf::Joint { on, .. } => on,
+            ForceOf::Joint { on, .. } | ForceOf::Both { on, .. } => on,
             ForceOf::Load(index) => self.plan.loads[index].body,
         };
         let [from, to] = ends.map(|place| self.exact(place));
@@ -90,7 +90,7 @@ impl Statics<'_, '_> {
         self.add_side(chain.polygon, second.0, after.1, SideKind::Found);
         self.finish(step, ForceStep::Cross(chain.polygon, sides));
         let force = |(of, at, along): (ForceOf, PlaceId, Along), size| {
-            let on = if let ForceOf::Joint { on, .. } = of { on } else { BodyId(0) };
+            let on = of.on().unwrap_or(GROUND);
             Force { of, on, at, along, size, sign: 1.0, exact: None }
         };
         Some(([force(first, before.0), force(second, after.0)], corner))

@@ -18,6 +18,16 @@ impl Teller<'_> {
                 let load = self.construction.forces.as_ref().and_then(|plan| plan.loads.get(index));
                 load.map_or_else(String::new, |load| self.load_symbol(load.source, load.body))
             }
+            ForceOf::Both { joints: [outer, inner], on } => {
+                let joint = self.mechanism.joint(inner);
+                // The inner guide may hold another link of those that are cut free.
+                let other = self.mechanism.lead(on);
+                let inner_on = joint.bodies.into_iter().find(|body| self.mechanism.lead(*body) == other);
+                let inner_on = inner_on.unwrap_or(joint.bodies[1]);
+                let across = ForceOf::Joint { joint: outer, on, part: ForcePart::AcrossGuide };
+                let normal = ForceOf::Joint { joint: inner, on: inner_on, part: ForcePart::Whole };
+                format!("{} + {}", self.force_symbol(across), self.force_symbol(normal))
+            }
             ForceOf::Joint { joint, on, part } => {
                 let joint = self.mechanism.joint(joint);
                 let by = joint.bodies.into_iter().find(|body| *body != on).unwrap_or(on);
@@ -60,7 +70,9 @@ impl Teller<'_> {
         }
     }
 
-    fn links(&self, links: &[BodyId]) -> String {
+    /// Links in words, as `links 2, 3`; the blocks of pins in slots have no name.
+    #[must_use]
+    pub fn links_in_words(&self, links: &[BodyId]) -> String {
         let named = links.iter().filter(|link| !self.mechanism.body(**link).is_nameless());
         let names: Vec<&str> = named.map(|link| self.link_in_symbol(*link)).collect();
         let language = self.words.language;
@@ -79,13 +91,40 @@ impl Teller<'_> {
         self.construction.forces.as_ref()?.moments.get(index)
     }
 
-    fn torque(&self, link: BodyId) -> String {
+    /// The symbol of a load's couple: `M_{i2}` of inertia, else its own name.
+    #[must_use]
+    pub fn couple_symbol(&self, source: Source, body: BodyId) -> String {
+        match source {
+            Source::Inertia => format!("M_{{i{}}}", self.link_in_symbol(body)),
+            _ => self.load_symbol(source, body),
+        }
+    }
+
+    /// The symbol of the torque of a driven link.
+    #[must_use]
+    pub fn torque_symbol(&self, link: BodyId) -> String {
         format!("T_{{{}}}", self.link_in_symbol(link))
     }
 
-    fn couple(&self, slider: SliderId) -> String {
+    /// The symbol of the couple in a guide, about the slider's point on the sliding link.
+    #[must_use]
+    pub fn guide_couple(&self, slider: SliderId) -> String {
         let slider = self.mechanism.slider(slider);
         format!("M{}", self.pair(slider.on, slider.link))
+    }
+
+    /// The symbol of the force across a guide, on the sliding link.
+    #[must_use]
+    pub fn guide_symbol(&self, slider: SliderId) -> String {
+        let slider = self.mechanism.slider(slider);
+        format!("N{}", self.pair(slider.on, slider.link))
+    }
+
+    /// The symbol of its distance from the slider's point.
+    #[must_use]
+    pub fn guide_arm(&self, slider: SliderId) -> String {
+        let slider = self.mechanism.slider(slider);
+        format!("h{}", self.pair(slider.on, slider.link))
     }
 
     /// The symbol of the drive's force along a guide.
@@ -98,13 +137,13 @@ impl Teller<'_> {
     fn found(&self, found: Found) -> String {
         match found {
             Found::Force(of) => self.force_symbol(of),
-            Found::Couple(slider) | Found::CoupleAbout(slider, _) => self.couple(slider),
-            Found::Torque(link) => self.torque(link),
+            Found::Couple(slider) | Found::CoupleAbout(slider, _) => self.guide_couple(slider),
+            Found::Torque(link) => self.torque_symbol(link),
         }
     }
 
     fn moments(&self, moment: &Moment) -> String {
-        let (language, links, found) = (self.words.language, self.links(&moment.links), self.found(moment.finds));
+        let (language, links, found) = (self.words.language, self.links_in_words(&moment.links), self.found(moment.finds));
         match (moment.about, moment.finds) {
             (MomentPoint::Joint(point), Found::Couple(slider)) => {
                 let point = display(self.mechanism.point_name(point));
@@ -130,7 +169,7 @@ impl Teller<'_> {
                 let (of, own) = self.side(*polygon, *side)?;
                 let force = self.force_symbol(own.of);
                 match side {
-                    0 => language.force_begin(&self.links(&of.links), Sheet::Forces.facts().scale_symbol, &force),
+                    0 => language.force_begin(&self.links_in_words(&of.links), Sheet::Forces.facts().scale_symbol, &force),
                     _ => language.force_lay_off(&force),
                 }
             }
@@ -149,11 +188,11 @@ impl Teller<'_> {
                 let force = self.force_symbol(side.of);
                 match self.has_parts(of, side) {
                     true => language.force_sum(&force),
-                    false => language.force_inner(&force, &self.links(&[side.on])),
+                    false => language.force_inner(&force, &self.links_in_words(&[side.on])),
                 }
             }
             ForceStep::Push(slider, _) => language.force_push(&self.slider_name(*slider), &self.push_symbol(*slider)),
-            ForceStep::ByNumbers(links) => language.forces_by_numbers(&self.links(links)),
+            ForceStep::ByNumbers(links) => language.forces_by_numbers(&self.links_in_words(links)),
         })
     }
 
@@ -183,8 +222,11 @@ impl Teller<'_> {
             ForceStep::LayOff(polygon, side) | ForceStep::Join(polygon, side) => {
                 self.force_symbol(self.side(*polygon, *side)?.1.of).into()
             }
-            ForceStep::Direction(polygon, _) | ForceStep::Cross(polygon, _) | ForceStep::Close(polygon, _) => {
-                self.polygon_equation(*polygon)?
+            ForceStep::Direction(polygon, _) | ForceStep::Cross(polygon, _) => self.polygon_equation(*polygon)?,
+            ForceStep::Close(polygon, side) => {
+                let mut formula = self.polygon_equation(*polygon)?;
+                formula.sign(&format!(",   {}", self.force_symbol(self.side(*polygon, *side)?.1.of)));
+                formula
             }
             ForceStep::Push(slider, _) => self.push_symbol(*slider).into(),
             ForceStep::ByNumbers(_) => Formula::default(),
@@ -223,7 +265,7 @@ impl Teller<'_> {
             sides.map(|side| self.force_symbol(side.of)).collect::<Vec<_>>().join(", ")
         };
         let [known, found, joined] = [SideKind::Known, SideKind::Found, SideKind::Diagonal].map(symbols);
-        let mut said = vec![language.force_polygon(&self.links(&polygon.links), &known)];
+        let mut said = vec![language.force_polygon(&self.links_in_words(&polygon.links), &known)];
         if !found.is_empty() {
             said.push(language.force_polygon_closed(&found));
         }

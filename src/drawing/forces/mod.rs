@@ -1,10 +1,12 @@
 //! The panel of the force plan: polygons, each link's part of them in its tint, with the directions that close them.
 
-use super::canvas::Canvas;
+pub(super) mod values;
+
+use super::canvas::{Canvas, Wanted};
 use super::clip::clipped_segment;
 use super::context::SheetContext;
 use super::labels::LabelRequest;
-use super::shape::Shape;
+use super::shape::{Shape, around};
 use super::sheet::Pen;
 use super::text::RichText;
 use super::view::{Extent, View, towards};
@@ -134,14 +136,31 @@ impl PolygonsOnPaper<'_> {
                 let request = LabelRequest::new(RichText::math(&teller.force_symbol(side.of)), at, 0.9, None, 2);
                 canvas.ask(&name, request);
             }
+            self.name(canvas, number, polygon, steps);
         }
+    }
+}
+
+impl PolygonsOnPaper<'_> {
+    /// The links whose polygon it is, above it.
+    fn name(&self, canvas: &mut Canvas<'_>, number: usize, polygon: &Polygon, steps: &[u16]) {
+        let Some(first) = steps.iter().copied().filter(|step| *step > 0).min() else { return };
+        let ends: Vec<Point> = polygon.sides.iter().flat_map(|side| self.ends(side)).collect();
+        let around = around(&ends);
+        canvas.step = first;
+        let text = RichText::plain(&self.context.teller().links_in_words(&polygon.links));
+        let at = Point::new(around.center().x, around.y0);
+        let request = LabelRequest { priority: 0, ..LabelRequest::new(text, at, 4.0, Some(Vec2::new(0.0, -1.0)), 0) };
+        let wanted = Wanted::new(format!("links-{}", number + 1), request);
+        canvas.request_label(Wanted { pen: Pen::Caption, optional: true, last: true, ..wanted });
     }
 }
 
 /// The pen of a side.
 pub(super) fn pen(side: &Side) -> Pen {
     match (side.of, side.kind) {
-        (ForceOf::Load(_), _) => Pen::Vector,
+        (ForceOf::Load(_), _) => Pen::Acceleration,
+        (ForceOf::Both { .. }, _) => Pen::Normal,
         (ForceOf::Joint { part: ForcePart::Whole, .. }, _) => Pen::Velocity,
         (ForceOf::Joint { part: ForcePart::Normal | ForcePart::AcrossGuide, .. }, _) => Pen::Normal,
         (ForceOf::Joint { part: ForcePart::Tangential | ForcePart::AlongGuide, .. }, _) => Pen::Tangential,
