@@ -2244,6 +2244,12 @@ page-sheets-centers_panel = Momentanpole
 page-sheets-centers_name = Figur der Momentanpole
 page-sheets-centers_title = Momentanpole
 page-sheets-centers_from = Aus den Polen
+page-sheets-forces_short = Kräfte
+page-sheets-forces_scaled = Kräfte
+page-sheets-forces_panel = Kräfteplan
+page-sheets-forces_name = Kräfteplan
+page-sheets-forces_title = Kräfteplan
+page-sheets-forces_from = Aus dem Kräfteplan
 
 
 ## The workbench: refused

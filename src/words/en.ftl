@@ -2277,6 +2277,12 @@ page-sheets-centers_panel = Instant centres
 page-sheets-centers_name = figure of instant centres
 page-sheets-centers_title = Instant centres
 page-sheets-centers_from = From the centres
+page-sheets-forces_short = Forces
+page-sheets-forces_scaled = Forces
+page-sheets-forces_panel = Force plan
+page-sheets-forces_name = force plan
+page-sheets-forces_title = Force plan
+page-sheets-forces_from = From the force plan
 
 
 ## The workbench: refused

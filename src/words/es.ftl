@@ -2242,6 +2242,12 @@ page-sheets-centers_panel = Centros instantáneos
 page-sheets-centers_name = figura de centros instantáneos
 page-sheets-centers_title = Centros instantáneos
 page-sheets-centers_from = De los centros
+page-sheets-forces_short = Fuerzas
+page-sheets-forces_scaled = Fuerzas
+page-sheets-forces_panel = Plano de fuerzas
+page-sheets-forces_name = plano de fuerzas
+page-sheets-forces_title = Plano de fuerzas
+page-sheets-forces_from = Del plano de fuerzas
 
 
 ## The workbench: refused

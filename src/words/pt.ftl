@@ -2244,6 +2244,12 @@ page-sheets-centers_panel = Centros instantâneos
 page-sheets-centers_name = figura de centros instantâneos
 page-sheets-centers_title = Centros instantâneos
 page-sheets-centers_from = Dos centros
+page-sheets-forces_short = Forças
+page-sheets-forces_scaled = Forças
+page-sheets-forces_panel = Plano de forças
+page-sheets-forces_name = plano de forças
+page-sheets-forces_title = Plano de forças
+page-sheets-forces_from = Do plano de forças
 
 
 ## The workbench: refused

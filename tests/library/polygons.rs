@@ -1,10 +1,9 @@
 //! Force plans: polygons that close, found by moments with arms measured on the scheme, hold what the equations of equilibrium give,
 //! for cases of independent digits and for random groups of all classes under random loads.
 
-use kinegon::Solution;
-use kinegon::construction::{ForceOf, ForcePart, ForcePlan, ForceStep, Action, SideKind};
+use kinegon::construction::{Action, ForceOf, ForcePart, ForcePlan, ForceStep, SideKind};
 use kinegon::geometry::Vector;
-use kinegon::sheet::Sheet;
+use kinegon::{Sheet, Solution};
 use serde_json::{Value, json};
 use support::comparison::{decimal, entries};
 use support::exact::exceeds;

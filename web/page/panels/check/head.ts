@@ -61,7 +61,7 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
     };
     root.replaceChildren(
       element("label", { class: "name" }, element("span", {}, say("name")), name),
-      element("fieldset", { class: "scales" }, element("legend", {}, say("scales")), ...SHEETS.filter(({ key }) => key !== "centers" || rows.some((row) => row.panel === key)).map(({ key }) => scaleField(key, rows))),
+      element("fieldset", { class: "scales" }, element("legend", {}, say("scales")), ...SHEETS.filter(({ key }) => (key !== "centers" && key !== "forces") || rows.some((row) => row.panel === key)).map(({ key }) => scaleField(key, rows))),
       element("fieldset", { class: "in" }, element("legend", {}, say("in")), choice("mm", say("in_mm")), choice("units", say("in_units"), own)),
     );
   }

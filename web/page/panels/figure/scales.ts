@@ -15,7 +15,7 @@ export function scales(scene: Draft, present: Scales): Group {
     title: say("scales"),
     help: say("scales_help"),
     rows: [
-      ...SHEETS.filter(({ key }) => key !== "centers" || "centers" in present).map(({ key }) => scale(scene, key, unitOn(units, key), present[key] ?? null)),
+      ...SHEETS.filter(({ key }) => (key !== "centers" && key !== "forces") || key in present).map(({ key }) => scale(scene, key, unitOn(units, key), present[key] ?? null)),
       {
         fields: [
           {

@@ -1,0 +1,274 @@
+//! Zhukovsky's lever: the velocity plan turned by 90° clockwise is a lever about its pole, on which each force acts at the image of its
+//! point. Its moments about the pole, counter-clockwise positive, are the forces' powers; so equilibrium of the lever gives what a drive needs, without
+//! any joint's force (N. E. Zhukovsky, 1909). A couple acts as two forces on two images of its link, which lie as its points do. With several drives
+//! each has a lever of its own: it runs at rate 1, and the others stand.
+
+use super::number::{Equation, NumberId, NumberKind, Product, ProductKind};
+use super::operation::{Along, MeasuredAs, OperationKind, OperationRole, PlaceId};
+use super::polygon::LoadShown;
+use super::step::{Action, NOTHING};
+use super::writer::Writer;
+use crate::forces::{Driven, Forces, lever_states};
+use crate::geometry::{Ball, Number, Pair, Vector, unit};
+use crate::mechanism::{BodyId, Mechanism, PointId, Role};
+use crate::motion::State;
+use crate::sheet::Sheet;
+
+/// White between levers, in parts of the widest one.
+const APART: f64 = 0.25;
+
+/// The lever of one drive.
+#[derive(Clone, Debug)]
+pub struct Lever {
+    /// The drive.
+    pub drive: Driven,
+    /// Its rate on the lever: its own, or 1 where there are several drives.
+    pub rate: f64,
+    /// The pole, in units of velocity as all places here.
+    pub pole: Vector,
+    /// The links' points with their images.
+    pub links: Vec<(BodyId, Vec<(PointId, Vector)>)>,
+    /// The forces at their images.
+    pub forces: Vec<LeverForce>,
+    /// What the drive needs: torque, or force along the guide.
+    pub effort: f64,
+    /// The same as a number of the construction.
+    pub(super) number: NumberId,
+}
+
+/// A force on a lever.
+#[derive(Clone, Copy, Debug)]
+pub struct LeverForce {
+    /// The load, by its index.
+    pub load: usize,
+    /// Whether it is one of the two forces of its couple.
+    pub is_of_couple: bool,
+    /// Where it acts.
+    pub at: Vector,
+    /// Its direction.
+    pub along: Vector,
+    /// The foot of its arm.
+    pub foot: Vector,
+    /// Its size, not below zero.
+    pub size: f64,
+    /// Its arm, positive where it turns the lever counter-clockwise.
+    pub arm: f64,
+}
+
+/// What is done in a step of a lever; levers and forces by their indices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LeverStep {
+    /// Turn the velocity plan.
+    Turn(usize),
+    /// Put a force at its image and measure its arm.
+    Arm(usize, usize),
+    /// Take moments about the pole.
+    Effort(usize),
+}
+
+/// A force that is put on the lever.
+struct Put {
+    load: usize,
+    is_of_couple: bool,
+    size: NumberId,
+    along: Vector,
+    at: Pair<Ball>,
+    exact: Option<Pair<Ball>>,
+}
+
+/// Draws the levers of all drives.
+pub(super) fn levers(writer: &mut Writer<'_>, computed: &Forces) -> Vec<Lever> {
+    let states = lever_states(writer.mechanism, writer.pose);
+    let own_rate = match &states[..] {
+        [(drive, _)] => drive.rate(writer.mechanism).filter(|rate| *rate != 0.0),
+        _ => None,
+    };
+    let rate = own_rate.unwrap_or(1.0);
+    let mut all: Vec<Lever> = Vec::new();
+    let mut left = 0.0;
+    for (drive, state) in states {
+        let first = writer.construction.operations.len();
+        let index = all.len();
+        if let Some(mut lever) = writer.lever(index, computed, (drive, &state, rate)) {
+            let [low, high] = lever.extent();
+            if index > 0 {
+                writer.shift_lever(first, Vector::new(left - low.x, 0.0), &mut lever);
+            }
+            let [_, high] = if index > 0 { lever.extent() } else { [low, high] };
+            left = high.x + APART * (high - low).amax();
+            all.push(lever);
+        }
+    }
+    all
+}
+
+impl Lever {
+    /// The corners of the box around its images.
+    fn extent(&self) -> [Vector; 2] {
+        let images = self.links.iter().flat_map(|(_, images)| images.iter().map(|(_, at)| *at));
+        let places = images.chain(self.forces.iter().map(|force| force.at));
+        places.fold([self.pole; 2], |[low, high], place| [low.inf(&place), high.sup(&place)])
+    }
+
+    fn moved(&mut self, by: Vector) {
+        self.pole += by;
+        self.links.iter_mut().flat_map(|(_, images)| images).for_each(|(_, at)| *at += by);
+        for force in &mut self.forces {
+            force.at += by;
+            force.foot += by;
+        }
+    }
+}
+
+/// A velocity turned by 90° clockwise.
+fn turned(velocity: Pair<Ball>) -> Pair<Ball> {
+    -velocity.quarter_turn()
+}
+
+impl Writer<'_> {
+    fn lever(&mut self, index: usize, computed: &Forces, (drive, state, rate): (Driven, &State, f64)) -> Option<Lever> {
+        let step = self.begin(Sheet::Lever);
+        let pole = self.pole(Sheet::Lever, &format!("p{}", index + 1), Vector::zeros());
+        let mechanism = self.mechanism;
+        let image = |writer: &Self, body: BodyId, at: Pair<Ball>| {
+            let _ = writer;
+            turned(state.body(body).referred_to(at).velocity) * Ball::from(rate)
+        };
+        let mut links = Vec::new();
+        for (body, own) in mechanism.links().filter(|(_, body)| body.role != Role::Unsolved) {
+            let at = |point: &PointId| (*point, image(self, body, self.pose.point(*point).coords.into()).rounded());
+            links.push((body, own.points.iter().map(at).collect::<Vec<_>>()));
+        }
+        self.finish(step, Action::Lever(LeverStep::Turn(index)));
+        let mut sum = Vec::new();
+        let mut forces = Vec::new();
+        for (load, acting) in computed.acting.iter().enumerate() {
+            let mut put: Vec<Put> = Vec::new();
+            let force = acting.force.rounded();
+            if let Some(along) = unit(force)
+                && let Some(size) = self.take(true, Sheet::Lever, NumberKind::Force, force.norm())
+            {
+                self.construction.record.exact.numbers[size.0] = acting.force.dot(acting.force).sqrt();
+                let at = image(self, acting.body, acting.at);
+                put.push(Put { load, is_of_couple: false, size, along, at, exact: Some(acting.force) });
+            }
+            if acting.couple.high != 0.0
+                && let Some([a, b]) = points_of_rotation(mechanism, self, acting.body)
+            {
+                put.extend(self.couple_on_lever(load, acting.couple, [a, b], |writer, point| {
+                    image(writer, acting.body, writer.pose.point(point).coords.into())
+                }));
+            }
+            for put in put {
+                let step = self.begin(Sheet::Lever);
+                let (found, product) = self.arm_on_lever(pole, &put)?;
+                sum.extend(product);
+                forces.push(found);
+                self.finish(step, Action::Lever(LeverStep::Arm(index, forces.len() - 1)));
+            }
+        }
+        let step = self.begin(Sheet::Lever);
+        let rate_number = self.take(true, Sheet::Lever, NumberKind::Size, rate)?;
+        let left = vec![(0, Product::plain(rate_number))];
+        let right = sum.iter().map(|product: &Product| product.times(-1.0)).collect();
+        let found = self.solve(Sheet::Lever, vec![NumberKind::Moment], vec![Equation { left, right }])?;
+        let number = *found.first()?;
+        self.finish(step, Action::Lever(LeverStep::Effort(index)));
+        let effort = self.construction.record.exact.numbers[number.0].high;
+        Some(Lever { drive, rate, pole: Vector::zeros(), links, forces, effort, number })
+    }
+
+    /// The two forces of a couple at the images of two points: each is the couple over their distance, normal to their line.
+    fn couple_on_lever(
+        &mut self,
+        load: usize,
+        couple: Ball,
+        [a, b]: [PointId; 2],
+        image: impl Fn(&Self, PointId) -> Pair<Ball>,
+    ) -> Vec<Put> {
+        let arm = Pair::between(self.pose.point(a), self.pose.point(b));
+        let Some(along) = unit(arm.rounded()) else { return Vec::new() };
+        let normal = Vector::new(-along.y, along.x) * couple.high.signum();
+        let size = couple / arm.dot(arm).sqrt();
+        let sizes = [0, 1].map(|_| self.take(true, Sheet::Lever, NumberKind::Force, size.high.abs()));
+        let [Some(first), Some(second)] = sizes else { return Vec::new() };
+        let exact = arm.unit().quarter_turn() * size;
+        [(first, a, -normal, -exact), (second, b, normal, exact)]
+            .map(|(number, point, along, exact)| {
+                self.construction.record.exact.numbers[number.0] = if size.high < 0.0 { -size } else { size };
+                let at = image(self, point);
+                Put { load, is_of_couple: true, size: number, along, at, exact: Some(exact) }
+            })
+            .into()
+    }
+
+    /// Puts a force at its image and measures its arm about the pole; nothing to add for one that acts in the pole.
+    fn arm_on_lever(&mut self, pole: PlaceId, put: &Put) -> Option<(LeverForce, Option<Product>)> {
+        let place = self.plot_exact(Sheet::Lever, OperationRole::Load(put.load), put.at);
+        let line = self.draw(Sheet::Lever, OperationRole::ForceLine, place, Along::given(put.along));
+        if let Some(exact) = put.exact {
+            self.construction.record.exact.lines[line.0].1 = exact.unit();
+        }
+        let normal = self.draw(Sheet::Lever, OperationRole::ForceLine, pole, Along::line(line).turned(3));
+        let foot = self.cross(true, Sheet::Lever, OperationRole::Foot, [line, normal])?;
+        let arm = self.measure(Sheet::Lever, NumberKind::Arm, [pole, foot], MeasuredAs::Along(normal));
+        let exact = &self.construction.record.exact;
+        let (at, foot) = (exact.places[place.0].rounded(), exact.places[foot.0].rounded());
+        let (size, length) = (exact.numbers[put.size.0].high, exact.numbers[arm.0].high);
+        let found = LeverForce {
+            load: put.load,
+            is_of_couple: put.is_of_couple,
+            at,
+            along: put.along,
+            foot,
+            size,
+            arm: length,
+        };
+        Some((found, Some(Product::new(ProductKind::Moment, 1.0, &[put.size, arm]))))
+    }
+
+    /// Moves a lever to where it has room: its operations are those from `first` on.
+    fn shift_lever(&mut self, first: usize, by: Vector, lever: &mut Lever) {
+        lever.moved(by);
+        let construction = &mut self.construction;
+        for operation in construction.operations[first..].iter_mut().filter(|own| own.sheet == Sheet::Lever) {
+            if let OperationKind::Pole { at, .. } | OperationKind::Plot { at, .. } = &mut operation.kind {
+                *at += by;
+            }
+            let exact = &mut construction.record.exact;
+            if let Some(place) = operation.kind.place() {
+                exact.places[place.0] = exact.places[place.0] + by.into();
+            }
+            if let Some(line) = operation.kind.line() {
+                exact.lines[line.0].0 = exact.lines[line.0].0 + by.into();
+            }
+        }
+    }
+}
+
+/// Two points apart of a body, or of one that turns with it.
+fn points_of_rotation(mechanism: &Mechanism, writer: &Writer<'_>, body: BodyId) -> Option<[PointId; 2]> {
+    let turns_alike = |other: &BodyId| {
+        mechanism.joints.iter().filter_map(|joint| joint.angular.as_ref()?.as_fixed_angle()).any(|(bodies, _)| {
+            bodies.contains(&body) && bodies.contains(other)
+        })
+    };
+    let bodies = std::iter::once(body).chain(mechanism.body_ids().filter(turns_alike));
+    let farthest = |body: BodyId| {
+        let points = &mechanism.body(body).points;
+        let from = *points.first()?;
+        let distance = |point: &PointId| writer.pose.arm(from, *point).norm();
+        let to = points.iter().copied().max_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        (distance(&to) > writer.near).then_some([from, to])
+    };
+    bodies.into_iter().find_map(farthest)
+}
+
+impl Lever {
+    /// Whether a load has a force to show.
+    #[must_use]
+    pub fn shows(&self, force: &LeverForce, loads: &[LoadShown]) -> bool {
+        let largest = self.forces.iter().map(|force| force.size).fold(0.0, f64::max);
+        force.load < loads.len() && force.size > NOTHING * largest
+    }
+}
