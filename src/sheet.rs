@@ -30,6 +30,8 @@ pub enum Sheet {
     Centers,
     /// The force plan: polygons of the forces on links and groups.
     Forces,
+    /// Zhukovsky's lever: the velocity plan turned by 90° clockwise, with forces at the images of their points.
+    Lever,
 }
 
 /// The order of a derivative of the position by time. Each has a plan, which is drawn from a pole, and needs those before
@@ -94,7 +96,7 @@ pub struct SheetFacts {
 }
 
 /// The sheets in the order of their variants, which is that in which they are drawn.
-const FACTS: [SheetFacts; 5] = [
+const FACTS: [SheetFacts; 6] = [
     SheetFacts {
         sheet: Sheet::Scheme,
         word: "scheme",
@@ -155,6 +157,18 @@ const FACTS: [SheetFacts; 5] = [
         segment: "fplan",
         order: None,
     },
+    SheetFacts {
+        sheet: Sheet::Lever,
+        word: "lever",
+        name: "lever",
+        letter: 'H',
+        drawn: QuantityKind::Velocity,
+        scale_key: "mu_h",
+        scale_symbol: "μ_h",
+        scaled_units: "units of velocity",
+        segment: "hplan",
+        order: None,
+    },
 ];
 
 impl Sheet {
@@ -182,6 +196,7 @@ impl Sheet {
             Sheet::Acceleration => &FACTS[2],
             Sheet::Centers => &FACTS[3],
             Sheet::Forces => &FACTS[4],
+            Sheet::Lever => &FACTS[5],
         }
     }
 

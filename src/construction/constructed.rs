@@ -1,5 +1,6 @@
 use super::cut::{Special, SpecialId};
 use super::kennedy::{Center, CenterId, Centers};
+use super::lever::Lever;
 use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{Along, LineId, Operation, PlaceId, StepId};
 use super::polygon::ForcePlan;
@@ -29,6 +30,8 @@ pub struct Construction {
     pub centers: Option<Box<Centers>>,
     /// The force plan, where the figure asks for it.
     pub forces: Option<Box<ForcePlan>>,
+    /// The levers of the drives, where the figure asks for them.
+    pub levers: Vec<Lever>,
     /// How the velocity plan is turned by 90°, where it is.
     pub turned: Option<TurnedName>,
     /// The operations of ruler, pencil and calculator, each after those whose results it uses.
@@ -85,6 +88,7 @@ impl Construction {
             plans: Order::ALL.map(Plan::new),
             centers: None,
             forces: None,
+            levers: Vec::new(),
             turned: None,
             operations: Vec::new(),
             origin,

@@ -3,16 +3,18 @@
 //! any joint's force (N. E. Zhukovsky, 1909). A couple acts as two forces on two images of its link, which lie as its points do. With several drives
 //! each has a lever of its own: it runs at rate 1, and the others stand.
 
-use super::number::{Equation, NumberId, NumberKind, Product, ProductKind};
+use super::markup::{Formula, rate_symbol};
+use super::number::{Equation, NumberId, NumberKind, Product, ProductKind, Rate};
 use super::operation::{Along, MeasuredAs, OperationKind, OperationRole, PlaceId};
-use super::polygon::LoadShown;
+use super::sentence::Teller;
 use super::step::{Action, NOTHING};
 use super::writer::Writer;
 use crate::forces::{Driven, Forces, lever_states};
 use crate::geometry::{Ball, Number, Pair, Vector, unit};
-use crate::mechanism::{BodyId, Mechanism, PointId, Role};
+use crate::mechanism::{BodyId, PointId, Role};
 use crate::motion::State;
-use crate::sheet::Sheet;
+use crate::sheet::{Order, QuantityKind, Sheet};
+use crate::words::SlidePart;
 
 /// White between levers, in parts of the widest one.
 const APART: f64 = 0.25;
@@ -130,13 +132,11 @@ impl Writer<'_> {
         let step = self.begin(Sheet::Lever);
         let pole = self.pole(Sheet::Lever, &format!("p{}", index + 1), Vector::zeros());
         let mechanism = self.mechanism;
-        let image = |writer: &Self, body: BodyId, at: Pair<Ball>| {
-            let _ = writer;
-            turned(state.body(body).referred_to(at).velocity) * Ball::from(rate)
-        };
+        let image =
+            |body: BodyId, at: Pair<Ball>| turned(state.body(body).referred_to(at).velocity) * Ball::from(rate);
         let mut links = Vec::new();
         for (body, own) in mechanism.links().filter(|(_, body)| body.role != Role::Unsolved) {
-            let at = |point: &PointId| (*point, image(self, body, self.pose.point(*point).coords.into()).rounded());
+            let at = |point: &PointId| (*point, image(body, self.pose.point(*point).coords.into()).rounded());
             links.push((body, own.points.iter().map(at).collect::<Vec<_>>()));
         }
         self.finish(step, Action::Lever(LeverStep::Turn(index)));
@@ -149,15 +149,19 @@ impl Writer<'_> {
                 && let Some(size) = self.take(true, Sheet::Lever, NumberKind::Force, force.norm())
             {
                 self.construction.record.exact.numbers[size.0] = acting.force.dot(acting.force).sqrt();
-                let at = image(self, acting.body, acting.at);
+                let at = image(acting.body, acting.at);
                 put.push(Put { load, is_of_couple: false, size, along, at, exact: Some(acting.force) });
             }
             if acting.couple.high != 0.0
-                && let Some([a, b]) = points_of_rotation(mechanism, self, acting.body)
             {
-                put.extend(self.couple_on_lever(load, acting.couple, [a, b], |writer, point| {
-                    image(writer, acting.body, writer.pose.point(point).coords.into())
-                }));
+                match self.places_apart(computed, acting.body) {
+                    Some(places) => {
+                        let images = places.map(|place| image(acting.body, place));
+                        put.extend(self.couple_on_lever(load, acting.couple, places, images));
+                    }
+                    // A link that is one point on the drawing.
+                    None => sum.extend(self.power_of_couple(acting.couple, state.body(acting.body).omega * Ball::from(rate))),
+                }
             }
             for put in put {
                 let step = self.begin(Sheet::Lever);
@@ -183,23 +187,52 @@ impl Writer<'_> {
         &mut self,
         load: usize,
         couple: Ball,
-        [a, b]: [PointId; 2],
-        image: impl Fn(&Self, PointId) -> Pair<Ball>,
+        [from, to]: [Pair<Ball>; 2],
+        [first_image, second_image]: [Pair<Ball>; 2],
     ) -> Vec<Put> {
-        let arm = Pair::between(self.pose.point(a), self.pose.point(b));
+        let arm = to - from;
         let Some(along) = unit(arm.rounded()) else { return Vec::new() };
         let normal = Vector::new(-along.y, along.x) * couple.high.signum();
         let size = couple / arm.dot(arm).sqrt();
         let sizes = [0, 1].map(|_| self.take(true, Sheet::Lever, NumberKind::Force, size.high.abs()));
         let [Some(first), Some(second)] = sizes else { return Vec::new() };
         let exact = arm.unit().quarter_turn() * size;
-        [(first, a, -normal, -exact), (second, b, normal, exact)]
-            .map(|(number, point, along, exact)| {
+        [(first, first_image, -normal, -exact), (second, second_image, normal, exact)]
+            .map(|(number, at, along, exact)| {
                 self.construction.record.exact.numbers[number.0] = if size.high < 0.0 { -size } else { size };
-                let at = image(self, point);
                 Put { load, is_of_couple: true, size: number, along, at, exact: Some(exact) }
             })
             .into()
+    }
+
+    /// Two places apart of a body or of one that turns with it: points, and where loads act, as in a centre of mass.
+    fn places_apart(&self, computed: &Forces, body: BodyId) -> Option<[Pair<Ball>; 2]> {
+        let mechanism = self.mechanism;
+        let turns_alike = |other: &BodyId| {
+            let fixed = mechanism.joints.iter().filter_map(|joint| joint.angular.as_ref()?.as_fixed_angle());
+            fixed.into_iter().any(|(bodies, _)| bodies.contains(&body) && bodies.contains(other))
+        };
+        let farthest = |body: BodyId| {
+            let points = mechanism.body(body).points.iter().map(|point| self.pose.point(*point).coords.into());
+            let loads = computed.acting.iter().filter(|load| load.body == body).map(|load| load.at);
+            let mut places = points.chain(loads);
+            let from: Pair<Ball> = places.next()?;
+            let distance = |place: &Pair<Ball>| (*place - from).rounded().norm();
+            let to = places.max_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+            (distance(&to) > self.near).then_some([from, to])
+        };
+        std::iter::once(body).chain(mechanism.body_ids().filter(turns_alike)).find_map(farthest)
+    }
+
+    /// The power of a couple, from the angular velocity of its link.
+    fn power_of_couple(&mut self, couple: Ball, omega: Ball) -> Option<Product> {
+        let numbers = [(NumberKind::Moment, couple), (NumberKind::Size, omega)].map(|(kind, value)| {
+            let number = self.take(true, Sheet::Lever, kind, value.high)?;
+            self.construction.record.exact.numbers[number.0] = value;
+            Some(number)
+        });
+        let [Some(couple), Some(omega)] = numbers else { return None };
+        Some(Product::new(ProductKind::Turning, 1.0, &[couple, omega]))
     }
 
     /// Puts a force at its image and measures its arm about the pole; nothing to add for one that acts in the pole.
@@ -246,29 +279,86 @@ impl Writer<'_> {
     }
 }
 
-/// Two points apart of a body, or of one that turns with it.
-fn points_of_rotation(mechanism: &Mechanism, writer: &Writer<'_>, body: BodyId) -> Option<[PointId; 2]> {
-    let turns_alike = |other: &BodyId| {
-        mechanism.joints.iter().filter_map(|joint| joint.angular.as_ref()?.as_fixed_angle()).any(|(bodies, _)| {
-            bodies.contains(&body) && bodies.contains(other)
-        })
-    };
-    let bodies = std::iter::once(body).chain(mechanism.body_ids().filter(turns_alike));
-    let farthest = |body: BodyId| {
-        let points = &mechanism.body(body).points;
-        let from = *points.first()?;
-        let distance = |point: &PointId| writer.pose.arm(from, *point).norm();
-        let to = points.iter().copied().max_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-        (distance(&to) > writer.near).then_some([from, to])
-    };
-    bodies.into_iter().find_map(farthest)
+impl Lever {
+    /// Whether something of a force is seen.
+    #[must_use]
+    pub fn shows(&self, force: &LeverForce) -> bool {
+        let largest = self.forces.iter().map(|force| force.size).fold(0.0, f64::max);
+        force.size > NOTHING * largest
+    }
+
+    /// Its number, with the bound of its error.
+    #[must_use]
+    pub fn number(&self) -> NumberId {
+        self.number
+    }
 }
 
-impl Lever {
-    /// Whether a load has a force to show.
+impl Teller<'_> {
+    /// The symbol of what a drive needs.
     #[must_use]
-    pub fn shows(&self, force: &LeverForce, loads: &[LoadShown]) -> bool {
-        let largest = self.forces.iter().map(|force| force.size).fold(0.0, f64::max);
-        force.load < loads.len() && force.size > NOTHING * largest
+    pub fn effort_symbol(&self, drive: Driven) -> String {
+        match drive {
+            Driven::Body(body) => self.torque_symbol(body),
+            Driven::Slider(slider) => self.push_symbol(slider),
+        }
+    }
+
+    /// The symbol of a force on a lever: of a couple's two forces that over a distance.
+    #[must_use]
+    pub fn lever_symbol(&self, force: &LeverForce) -> String {
+        let loads = self.construction.forces.as_ref().map(|plan| &plan.loads);
+        let Some(load) = loads.and_then(|loads| loads.get(force.load)) else { return String::new() };
+        match force.is_of_couple {
+            true => format!("{}/L", self.couple_symbol(load.source, load.body)),
+            false => self.load_symbol(load.source, load.body),
+        }
+    }
+
+    /// The caption of a step of a lever; none for other steps.
+    pub(super) fn caption_of_lever(&self, action: &Action) -> Option<String> {
+        let Action::Lever(step) = action else { return None };
+        let language = self.words.language;
+        let levers = &self.construction.levers;
+        Some(match *step {
+            LeverStep::Turn(index) => match levers.get(index)?.drive {
+                _ if levers.len() == 1 => language.lever_turn().to_owned(),
+                Driven::Body(body) => language.lever_turn_for(self.link_in_symbol(body)),
+                Driven::Slider(slider) => language.lever_turn_for(&self.slider_name(slider)),
+            },
+            LeverStep::Arm(index, force) => {
+                language.lever_arm(&self.lever_symbol(levers.get(index)?.forces.get(force)?))
+            }
+            LeverStep::Effort(index) => language.lever_effort(&self.effort_symbol(levers.get(index)?.drive)),
+        })
+    }
+
+    /// The equation of such a step.
+    pub(super) fn formula_of_lever(&self, action: &Action) -> Option<Formula> {
+        let Action::Lever(step) = action else { return None };
+        let levers = &self.construction.levers;
+        Some(match *step {
+            LeverStep::Turn(_) => Formula::default(),
+            LeverStep::Arm(index, force) => {
+                format!("{} · h", self.lever_symbol(levers.get(index)?.forces.get(force)?)).into()
+            }
+            LeverStep::Effort(index) => {
+                let lever = levers.get(index)?;
+                let effort = self.effort_symbol(lever.drive);
+                let rate = match lever.drive {
+                    Driven::Body(body) => rate_symbol(&Rate::Angular(Order::Velocity, body).name(self.mechanism)),
+                    Driven::Slider(slider) => self.slide(Order::Velocity, SlidePart::Relative, slider),
+                };
+                format!("{effort} · {rate} = −Σ F h {},   {effort}", Sheet::Lever.facts().scale_symbol).into()
+            }
+        })
+    }
+
+    /// The number that such a step finds, and its kind.
+    pub(super) fn value_of_lever(&self, action: &Action) -> Option<(f64, QuantityKind)> {
+        let Action::Lever(LeverStep::Effort(index)) = action else { return None };
+        let lever = self.construction.levers.get(*index)?;
+        let kind = if matches!(lever.drive, Driven::Body(_)) { QuantityKind::Moment } else { QuantityKind::Force };
+        Some((lever.effort, kind))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::constructed::Construction;
 use super::markup::marked;
+use super::lever::LeverStep;
 use super::operation::StepId;
 use super::polygon::ForceStep;
 use super::sentence::Teller;
@@ -32,6 +33,8 @@ pub enum Aim {
     Moments,
     /// A force polygon.
     Polygon,
+    /// What a drive needs, by its lever.
+    Lever,
     /// That there is no construction.
     Nothing,
 }
@@ -71,7 +74,7 @@ impl Construction {
                         Aim::SpecialPoints => own == group,
                         Aim::Crossing => !is_reached || step.action.is_measured(),
                         Aim::Start | Aim::Images => true,
-                        Aim::Rates | Aim::Center | Aim::CenterVelocity => !is_reached,
+                        Aim::Rates | Aim::Center | Aim::CenterVelocity | Aim::Lever => !is_reached,
                         Aim::Polygon => step.action.polygon() == polygon,
                         Aim::Nothing | Aim::PermanentCenters | Aim::Moments => false,
                     }
@@ -79,7 +82,11 @@ impl Construction {
             let was_reached = joins && present.is_some_and(|(.., is_reached)| is_reached);
             let reached = matches!(
                 step.action,
-                Action::Cross { .. } | Action::Solve { .. } | Action::Center(_) | Action::VelocityByCenters(_)
+                Action::Cross { .. }
+                    | Action::Solve { .. }
+                    | Action::Center(_)
+                    | Action::VelocityByCenters(_)
+                    | Action::Lever(LeverStep::Effort(_))
             );
             polygon = step.action.polygon();
             present = Some((step.sheet, group, was_reached || reached));
@@ -110,6 +117,7 @@ fn aim(steps: &[NumberedStep<'_>], last: Option<Aim>) -> Aim {
         Action::PermanentCenters => Aim::PermanentCenters,
         Action::LeaveOut { .. } | Action::CenterLine { .. } | Action::Center(_) => Aim::Center,
         Action::RateByCenters { .. } | Action::VelocityByCenters(_) => Aim::CenterVelocity,
+        Action::Lever(_) => Aim::Lever,
         Action::Force(ForceStep::ByNumbers(_)) => Aim::Nothing,
         Action::Force(_) => if first.action.polygon().is_some() { Aim::Polygon } else { Aim::Moments },
         Action::Divide { .. } | Action::Coincide { .. } => Aim::Images,
@@ -192,6 +200,11 @@ impl Teller<'_> {
             Aim::Polygon => {
                 let actions: Vec<&Action> = steps.iter().map(|step| step.action).collect();
                 self.polygon_caption(&actions).into_iter().collect()
+            }
+            // Its forces are seen.
+            Aim::Lever => {
+                let is_told = |step: &&NumberedStep<'_>| !matches!(step.action, Action::Lever(LeverStep::Arm(..)));
+                steps.iter().filter(is_told).map(|step| self.caption(step)).collect()
             }
             Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity | Aim::Moments => {
                 steps.iter().map(|step| self.caption(step)).collect()

@@ -110,7 +110,8 @@ impl<'a> Teller<'a> {
             }
             Action::NoConstruction(far) => no_construction(self.words, far),
             other => {
-                self.caption_of_centers(other).or_else(|| self.caption_of_forces(other)).unwrap_or_default()
+                let found = self.caption_of_centers(other).or_else(|| self.caption_of_forces(other));
+                found.or_else(|| self.caption_of_lever(other)).unwrap_or_default()
             }
         }
     }
@@ -135,7 +136,8 @@ impl<'a> Teller<'a> {
             | Action::Solve { .. }
             | Action::NoConstruction(_) => Formula::default(),
             other => {
-                self.formula_of_centers(other).or_else(|| self.formula_of_forces(other)).unwrap_or_default()
+                let found = self.formula_of_centers(other).or_else(|| self.formula_of_forces(other));
+                found.or_else(|| self.formula_of_lever(other)).unwrap_or_default()
             }
         }
     }

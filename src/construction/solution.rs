@@ -3,6 +3,7 @@
 use super::constructed::{Construction, Extent};
 use super::cut::{Special, SpecialId, special_points};
 use super::leg::DrawnSpecial;
+use super::lever::levers;
 use super::markup::{no_construction, plain_text};
 use super::polygon::force_plan;
 use super::step::Action;
@@ -46,9 +47,7 @@ impl Solution {
         if scene.figure.shown_panels().contains(&Sheet::Centers) {
             construction = with_centers(&scene.figure, (&mechanism, &pose, &motion), construction);
         }
-        if scene.figure.shown_panels().contains(&Sheet::Forces) {
-            construction = with_forces((&mechanism, &pose, &motion), construction);
-        }
+        construction = with_forces(&scene.figure, (&mechanism, &pose, &motion), construction);
         // A work sheet is drawn on.
         let turned = scene.figure.turned.filter(|_| !scene.figure.worksheet);
         let turned = turned.map(|sense| Box::new(construction.turned(sense)));
@@ -140,14 +139,22 @@ fn with_centers(
     writer.construction
 }
 
-/// A construction with the force plan; without loads, and in a singular position, there is none.
+/// A construction with the force plan and the levers that a figure asks for; without loads, and in a singular position, there are none.
 fn with_forces(
+    figure: &Figure,
     (mechanism, pose, motion): (&Mechanism, &Pose, &Motion),
     construction: Construction,
 ) -> Construction {
+    let panels = figure.shown_panels();
+    if !panels.iter().any(|panel| matches!(panel, Sheet::Forces | Sheet::Lever)) || mechanism.loads.is_none() {
+        return construction;
+    }
     let Some(computed) = forces(mechanism, &AtPose::new(mechanism, pose)) else { return construction };
     let mut writer = Writer::continued(mechanism, pose, motion, construction);
-    force_plan(&mut writer, &computed);
+    force_plan(&mut writer, &computed, panels.contains(&Sheet::Forces));
+    if panels.contains(&Sheet::Lever) {
+        writer.construction.levers = levers(&mut writer, &computed);
+    }
     writer.construction
 }
 

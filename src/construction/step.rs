@@ -2,6 +2,7 @@
 
 use super::cut::SpecialId;
 use super::kennedy::{CenterId, CenterLine, FigureOf};
+use super::lever::LeverStep;
 use super::polygon::ForceStep;
 use crate::centers::LinkPair;
 use crate::geometry::Vector;
@@ -114,6 +115,8 @@ pub enum Action {
     VelocityByCenters(usize),
     /// Something of the force plan.
     Force(ForceStep),
+    /// Something of a lever.
+    Lever(LeverStep),
     /// There is no construction by two rays: names of the special points at infinity, where these are the reason; else
     /// none.
     NoConstruction(Vec<String>),
@@ -165,7 +168,8 @@ impl NumberedStep<'_> {
             | Action::CentersByRates(_)
             | Action::RateByCenters { .. }
             | Action::VelocityByCenters(_)
-            | Action::Force(_) => Vec::new(),
+            | Action::Force(_)
+            | Action::Lever(_) => Vec::new(),
             action => {
                 let image = self.plan.zip(action.image());
                 image.map(|(plan, point)| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()

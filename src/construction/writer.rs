@@ -244,9 +244,13 @@ impl<'a> Writer<'a> {
 
     /// A place of the scheme that is no joint, with the bound of its error.
     pub(super) fn plot_place(&mut self, role: OperationRole, at: Pair<Ball>) -> PlaceId {
+        self.plot_exact(Sheet::Scheme, role, at - Pair::<Ball>::from(self.construction.origin.coords))
+    }
+
+    /// A place of a sheet, in its units, with the bound of its error.
+    pub(super) fn plot_exact(&mut self, sheet: Sheet, role: OperationRole, exact: Pair<Ball>) -> PlaceId {
         let place = self.next_place();
-        let exact = at - Pair::<Ball>::from(self.construction.origin.coords);
-        self.push(Sheet::Scheme, role, OperationKind::Plot { place, at: exact.rounded() });
+        self.push(sheet, role, OperationKind::Plot { place, at: exact.rounded() });
         self.construction.record.exact.places[place.0] = exact;
         place
     }

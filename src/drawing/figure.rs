@@ -400,6 +400,7 @@ fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> Message {
         Sheet::Acceleration => says::acceleration_plan(),
         Sheet::Centers => says::centers(),
         Sheet::Forces => says::force_plan(),
+        Sheet::Lever => says::lever(),
     };
     let written = |mu| Wording::default().write(mu, SCALE);
     let fitting = fitting.map_or_else(says::no_scale, |mu| written(mu).into());

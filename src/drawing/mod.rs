@@ -85,6 +85,7 @@ mod labels;
 mod laid_out;
 mod layout;
 
+mod lever;
 mod lines;
 mod look;
 pub mod markers;

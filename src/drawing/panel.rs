@@ -6,6 +6,7 @@ use super::context::SheetContext;
 use super::dims::Dims;
 use super::forces;
 use super::layout::{Needs, Placed, ROW};
+use super::lever;
 use super::lines::Line;
 use super::markers::PlacedPanel;
 use super::overlay::OwnLayer;
@@ -234,6 +235,7 @@ fn extents_with(context: &SheetContext<'_>, scheme: impl Fn(&SheetContext<'_>) -
             Sheet::Scheme => scheme(context),
             Sheet::Centers => centers::extent(context),
             Sheet::Forces => forces::extent(context)?,
+            Sheet::Lever => lever::extent(context)?,
             Sheet::Velocity | Sheet::Acceleration => {
                 plan::on_paper::extent(context.plan(sheet)?, context.figure().construction)
             }
@@ -313,25 +315,26 @@ pub(super) fn panels<'a>(
 
 /// The layer with the scheme or a plan.
 pub(super) fn content<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Layer<'a> {
-    layer(context, sheet, [scheme::draw, centers::draw, forces::draw], plan::draw)
+    layer(context, sheet, [scheme::draw, centers::draw, forces::draw, lever::draw], plan::draw)
 }
 
 /// The layer with the hints at the subject of each step.
 pub(super) fn hints<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Layer<'a> {
-    layer(context, sheet, [scheme::hints, centers::hints, |_, _, _| ()], plan::hints)
+    layer(context, sheet, [scheme::hints, centers::hints, |_, _, _| (), |_, _, _| ()], plan::hints)
 }
 
 /// A layer of the scheme or of a plan; a plan that a position does not have is not drawn.
 fn layer<'a>(
     context: &'a SheetContext<'a>,
     sheet: Sheet,
-    [of_scheme, of_centers, of_forces]: [fn(&mut Canvas<'_>, &View, &SheetContext<'_>); 3],
+    [of_scheme, of_centers, of_forces, of_lever]: [fn(&mut Canvas<'_>, &View, &SheetContext<'_>); 4],
     of_plan: fn(&mut Canvas<'_>, &View, &SheetContext<'_>, &Plan),
 ) -> Layer<'a> {
     Box::new(move |canvas: &mut Canvas<'_>, view: &View| match sheet {
         Sheet::Scheme => of_scheme(canvas, view, context),
         Sheet::Centers => of_centers(canvas, view, context),
         Sheet::Forces => of_forces(canvas, view, context),
+        Sheet::Lever => of_lever(canvas, view, context),
         Sheet::Velocity | Sheet::Acceleration => {
             if let Some(plan) = context.plan(sheet) {
                 of_plan(canvas, view, context, plan);

@@ -5,7 +5,7 @@ use super::facts::Steps;
 use super::sheet::Drawing;
 use super::text::RichText;
 use super::words::{BELOW, BETWEEN, EQUATION, FIRST, ROW, SECOND, Writer, width_of};
-use crate::construction::{Action, Aim, ForceStep, Known, NumberedStep, Passage, shown_text};
+use crate::construction::{Action, Aim, ForceStep, Known, LeverStep, NumberedStep, Passage, shown_text};
 use crate::sheet::Sheet;
 use kurbo::{Point, Rect};
 
@@ -24,6 +24,9 @@ impl Writer<'_> {
                     matches!(step.action, Action::Force(ForceStep::Cross(..) | ForceStep::Close(..)))
                 };
                 steps.iter().filter(has_equation).take(1).collect()
+            }
+            Aim::Lever => {
+                steps.iter().filter(|step| matches!(step.action, Action::Lever(LeverStep::Effort(_)))).collect()
             }
             Aim::Images | Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity | Aim::Moments => {
                 steps.iter().collect()

@@ -8,6 +8,7 @@ messages! { "drawing":
     acceleration_plan;
     centers;
     force_plan;
+    lever;
     overflow(panel, key, given, fitting);
     no_scale;
     cost_of_list(scales);

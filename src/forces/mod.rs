@@ -31,6 +31,8 @@ mod power;
 pub use acting::Source;
 pub use carried::{Agreement, Drive, Forces};
 pub(crate) use equilibrium::{driven, own_joint};
+pub use power::Driven;
+pub(crate) use power::lever_states;
 
 use crate::geometry::{Ball, Pair, Vector};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};

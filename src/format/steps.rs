@@ -243,7 +243,7 @@ impl StepList<'_> {
                 let sine = self.teller.sine_of_center(*id).filter(|sine| *sine > 0.0);
                 std::iter::once(equation).chain(sine.map(|sine| self.crossing(sine))).collect()
             }
-            Action::RateByCenters { .. } | Action::VelocityByCenters(_) | Action::Force(_) => {
+            Action::RateByCenters { .. } | Action::VelocityByCenters(_) | Action::Force(_) | Action::Lever(_) => {
                 if let (Action::Force(_), Some(force)) = (step.action, self.teller.force_of_step(step.action)) {
                     return vec![format!("{equation} = {}", self.vector(force, sheet))];
                 }

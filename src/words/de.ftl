@@ -127,6 +127,10 @@ force_polygon = Krafteck, {$links}: {$known} antragen.
 force_polygon_closed = Schließende Kräfte: {$forces}.
 force_polygon_joined = Aus Ecken: {$forces}.
 forces_differ = Die Kräfte aus diesen Kraftecken und aus den Gleichgewichtsbedingungen unterscheiden sich um {$difference} der größten Kraft; Rundung und Schnitte erlauben {$allowed}.
+lever_turn = Den Geschwindigkeitsplan um 90° im Uhrzeigersinn drehen: er ist ein Hebel.
+lever_turn_for = Die Geschwindigkeiten um 90° im Uhrzeigersinn drehen, während {$drive} mit Rate 1 läuft und die anderen Antriebe stehen: sie bilden einen Hebel.
+lever_arm = {$force} wirkt im Bild ihres Punktes: den Hebelarm messen.
+lever_effort = Momente um den Pol ergeben {$effort}: keine Gelenkkraft hat eines.
 
 # The figure.
 
@@ -138,6 +142,7 @@ turned_plan = {$plan}, um {$angle}° gedreht
 acceleration_plan = Beschleunigungsplan
 centers = Momentanpole
 force_plan = Kräfteplan
+lever = Hebel
 far_away = {$point}: {$distance} von {$from}
 far_in_plan = bis {$point}: {$distance}
 cut_at_edge = am Rand abgeschnitten
@@ -172,11 +177,13 @@ named_velocity_plan = Geschwindigkeitsplan
 named_acceleration_plan = Beschleunigungsplan
 named_centers = Momentanpole
 named_force_plan = Kräfteplan
+named_lever = Hebel
 described_scheme = der Mechanismus im Maßstab
 described_velocity_plan = sein Geschwindigkeitsplan
 described_acceleration_plan = sein Beschleunigungsplan
 described_centers = seine Momentanpole
 described_force_plan = sein Kräfteplan
+described_lever = sein Hebel
 described_group = Klasse {$class}, Glieder {$links}
 higher = über IV
 
@@ -1122,6 +1129,7 @@ drawing-velocity_plan = der Geschwindigkeitsplan
 drawing-acceleration_plan = der Beschleunigungsplan
 drawing-centers = die Figur der Momentanpole
 drawing-force_plan = Kräfteplan
+drawing-lever = Hebel
 drawing-overflow = {$panel} passt bei {$key} = {$given} nicht in sein Feld und ist dort abgeschnitten; {$fitting} passt, oder ein größeres Blatt
 drawing-no_scale = keiner
 drawing-cost_of_list = die Maßstäbe lassen Platz für die Ergebnisliste: {$scales}
@@ -2250,6 +2258,12 @@ page-sheets-forces_panel = Kräfteplan
 page-sheets-forces_name = Kräfteplan
 page-sheets-forces_title = Kräfteplan
 page-sheets-forces_from = Aus dem Kräfteplan
+page-sheets-lever_short = Hebel
+page-sheets-lever_scaled = Hebel
+page-sheets-lever_panel = Hebel
+page-sheets-lever_name = Hebel
+page-sheets-lever_title = Hebel
+page-sheets-lever_from = Aus dem Hebel
 
 
 ## The workbench: refused

@@ -133,6 +133,10 @@ force_polygon = Polygon of {$links}: lay off {$known}.
 force_polygon_closed = {$forces} close it.
 force_polygon_joined = Corners give {$forces}.
 forces_differ = The forces from these polygons and from the equations of equilibrium differ by {$difference} of the largest force; rounding and the crossings allow {$allowed}.
+lever_turn = Turn the velocity plan by 90° clockwise: it is a lever.
+lever_turn_for = Turn the velocities by 90° clockwise, while {$drive} runs at rate 1 and the other drives stand: they are a lever.
+lever_arm = {$force} acts at the image of its point: measure its arm.
+lever_effort = Moments about the pole give {$effort}: no joint's force has one.
 
 # The figure.
 
@@ -145,6 +149,7 @@ turned_plan = {$plan}, turned by {$angle}°
 acceleration_plan = Acceleration plan
 centers = Instant centres
 force_plan = Force plan
+lever = Lever
 # A special point that lies off the sheet.
 far_away = {$point}: {$distance} from {$from}
 # At the line to an image that lies off the panel.
@@ -186,11 +191,13 @@ named_velocity_plan = velocity plan
 named_acceleration_plan = acceleration plan
 named_centers = instant centres
 named_force_plan = force plan
+named_lever = lever
 described_scheme = the mechanism to scale
 described_velocity_plan = its velocity plan
 described_acceleration_plan = its acceleration plan
 described_centers = its instant centres
 described_force_plan = its force plan
+described_lever = its lever
 described_group = class {$class}, links {$links}
 # The class of a group above class IV.
 higher = higher
@@ -1155,6 +1162,7 @@ drawing-velocity_plan = velocity plan
 drawing-acceleration_plan = acceleration plan
 drawing-centers = figure of instant centres
 drawing-force_plan = force plan
+drawing-lever = lever
 drawing-overflow = the {$panel} does not fit into its panel at {$key} = {$given} and is cut off there; {$fitting} fits, or a larger sheet
 drawing-no_scale = none
 drawing-cost_of_list = scales leave room for the list of results: {$scales}
@@ -2283,6 +2291,12 @@ page-sheets-forces_panel = Force plan
 page-sheets-forces_name = force plan
 page-sheets-forces_title = Force plan
 page-sheets-forces_from = From the force plan
+page-sheets-lever_short = Lever
+page-sheets-lever_scaled = Lever
+page-sheets-lever_panel = Lever
+page-sheets-lever_name = lever
+page-sheets-lever_title = Lever
+page-sheets-lever_from = From the lever
 
 
 ## The workbench: refused

@@ -125,6 +125,10 @@ force_polygon = Polígono de {$links}: se trazan {$known}.
 force_polygon_closed = Lo cierran {$forces}.
 force_polygon_joined = Los vértices dan {$forces}.
 forces_differ = Las fuerzas de estos polígonos y de las ecuaciones de equilibrio difieren en {$difference} de la fuerza mayor; el redondeo y los cruces permiten {$allowed}.
+lever_turn = Se gira el plano de velocidades 90° en sentido horario: es una palanca.
+lever_turn_for = Se giran las velocidades 90° en sentido horario, mientras {$drive} marcha a velocidad 1 y los demás accionamientos están parados: forman una palanca.
+lever_arm = {$force} actúa en la imagen de su punto: se mide su brazo.
+lever_effort = Los momentos respecto al polo dan {$effort}: ninguna reacción tiene momento.
 
 # The figure.
 
@@ -136,6 +140,7 @@ turned_plan = {$plan}, girado {$angle}°
 acceleration_plan = Plano de aceleraciones
 centers = Centros instantáneos
 force_plan = Plano de fuerzas
+lever = Palanca
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = hasta {$point}: {$distance}
 cut_at_edge = recortado en el borde
@@ -170,11 +175,13 @@ named_velocity_plan = plano de velocidades
 named_acceleration_plan = plano de aceleraciones
 named_centers = centros instantáneos
 named_force_plan = plano de fuerzas
+named_lever = palanca
 described_scheme = el mecanismo a escala
 described_velocity_plan = su plano de velocidades
 described_acceleration_plan = su plano de aceleraciones
 described_centers = sus centros instantáneos
 described_force_plan = su plano de fuerzas
+described_lever = su palanca
 described_group = clase {$class}, eslabones {$links}
 higher = superior
 
@@ -1120,6 +1127,7 @@ drawing-velocity_plan = el plano de velocidades
 drawing-acceleration_plan = el plano de aceleraciones
 drawing-centers = la figura de centros instantáneos
 drawing-force_plan = plano de fuerzas
+drawing-lever = palanca
 drawing-overflow = {$panel} no cabe en su panel con {$key} = {$given} y queda recortado; cabe con {$fitting}, o en una hoja mayor
 drawing-no_scale = ninguna
 drawing-cost_of_list = las escalas dejan espacio para la lista de resultados: {$scales}
@@ -2248,6 +2256,12 @@ page-sheets-forces_panel = Plano de fuerzas
 page-sheets-forces_name = plano de fuerzas
 page-sheets-forces_title = Plano de fuerzas
 page-sheets-forces_from = Del plano de fuerzas
+page-sheets-lever_short = Palanca
+page-sheets-lever_scaled = Palanca
+page-sheets-lever_panel = Palanca
+page-sheets-lever_name = palanca
+page-sheets-lever_title = Palanca
+page-sheets-lever_from = De la palanca
 
 
 ## The workbench: refused

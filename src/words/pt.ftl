@@ -127,6 +127,10 @@ force_polygon = Polígono, {$links}: traçam-se {$known}.
 force_polygon_closed = Fecham-no {$forces}.
 force_polygon_joined = Os vértices dão {$forces}.
 forces_differ = As forças destes polígonos e das equações de equilíbrio diferem em {$difference} da maior força; o arredondamento e os cruzamentos permitem {$allowed}.
+lever_turn = Gira-se o plano de velocidades 90° no sentido horário: é uma alavanca.
+lever_turn_for = Giram-se as velocidades 90° no sentido horário, enquanto {$drive} anda à taxa 1 e os outros acionamentos param: formam uma alavanca.
+lever_arm = {$force} atua na imagem do seu ponto: mede-se o braço.
+lever_effort = Os momentos em relação ao polo dão {$effort}: nenhuma reação tem momento.
 
 # The figure.
 
@@ -138,6 +142,7 @@ turned_plan = {$plan}, girado de {$angle}°
 acceleration_plan = Polígono de acelerações
 centers = Centros instantâneos
 force_plan = Plano de forças
+lever = Alavanca
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = até {$point}: {$distance}
 cut_at_edge = cortado na borda
@@ -172,11 +177,13 @@ named_velocity_plan = polígono de velocidades
 named_acceleration_plan = polígono de acelerações
 named_centers = centros instantâneos
 named_force_plan = plano de forças
+named_lever = alavanca
 described_scheme = o mecanismo em escala
 described_velocity_plan = seu polígono de velocidades
 described_acceleration_plan = seu polígono de acelerações
 described_centers = seus centros instantâneos
 described_force_plan = o seu plano de forças
+described_lever = a sua alavanca
 described_group = classe {$class}, elos {$links}
 higher = superior
 
@@ -1122,6 +1129,7 @@ drawing-velocity_plan = polígono de velocidades
 drawing-acceleration_plan = polígono de acelerações
 drawing-centers = a figura de centros instantâneos
 drawing-force_plan = plano de forças
+drawing-lever = alavanca
 drawing-overflow = o {$panel} não cabe no seu painel com {$key} = {$given} e fica cortado ali; cabe com {$fitting}, ou em uma folha maior
 drawing-no_scale = nenhuma
 drawing-cost_of_list = as escalas deixam espaço para a lista de resultados: {$scales}
@@ -2250,6 +2258,12 @@ page-sheets-forces_panel = Plano de forças
 page-sheets-forces_name = plano de forças
 page-sheets-forces_title = Plano de forças
 page-sheets-forces_from = Do plano de forças
+page-sheets-lever_short = Alavanca
+page-sheets-lever_scaled = Alavanca
+page-sheets-lever_panel = Alavanca
+page-sheets-lever_name = alavanca
+page-sheets-lever_title = Alavanca
+page-sheets-lever_from = Da alavanca
 
 
 ## The workbench: refused

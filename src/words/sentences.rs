@@ -166,6 +166,11 @@ sentences! {
     force_polygon_closed(forces);
     force_polygon_joined(forces);
     forces_differ(difference, allowed);
+    lever_turn;
+    /// With several drives.
+    lever_turn_for(drive);
+    lever_arm(force);
+    lever_effort(effort);
 
     // The figure.
     /// Title of a figure whose scene has none.
@@ -176,6 +181,7 @@ sentences! {
     acceleration_plan;
     centers;
     force_plan;
+    lever;
     /// A special point that lies off the sheet.
     far_away(point, distance, from);
     /// At the line to an image that lies off the panel.
@@ -216,11 +222,13 @@ sentences! {
     named_acceleration_plan;
     named_centers;
     named_force_plan;
+    named_lever;
     described_scheme;
     described_velocity_plan;
     described_acceleration_plan;
     described_centers;
     described_force_plan;
+    described_lever;
     described_group(class, links);
     /// The class of a group above class IV.
     higher;
@@ -458,6 +466,7 @@ impl Language {
             Sheet::Acceleration => [self.acceleration_plan(), self.described_acceleration_plan()],
             Sheet::Centers => [self.centers(), self.described_centers()],
             Sheet::Forces => [self.force_plan(), self.described_force_plan()],
+            Sheet::Lever => [self.lever(), self.described_lever()],
         }
     }
 
@@ -497,6 +506,7 @@ fn named_sheet(sheet: Sheet) -> Key {
         Sheet::Acceleration => Key::named_acceleration_plan,
         Sheet::Centers => Key::named_centers,
         Sheet::Forces => Key::named_force_plan,
+        Sheet::Lever => Key::named_lever,
     }
 }
 

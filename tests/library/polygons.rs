@@ -3,6 +3,7 @@
 
 use kinegon::construction::{Action, ForceOf, ForcePart, ForcePlan, ForceStep, SideKind};
 use kinegon::geometry::Vector;
+use kinegon::mechanism::Mechanism;
 use kinegon::{Sheet, Solution};
 use serde_json::{Value, json};
 use support::comparison::{decimal, entries};
@@ -17,7 +18,7 @@ use support::survey::FORCED;
 const OFF: f64 = 1e-9;
 
 fn with_plan(mut scene: Value) -> Value {
-    scene["figure"]["panels"] = json!(["scheme", "forces"]);
+    scene["figure"]["panels"] = json!(["scheme", "forces", "lever"]);
     scene
 }
 
@@ -31,34 +32,52 @@ fn is_constructed(solution: &Solution) -> bool {
     !steps.iter().any(|action| matches!(action, Action::Force(ForceStep::ByNumbers(_))))
 }
 
-/// Each polygon's sides but its diagonals add up to nothing, and so do the forces on each of its links.
-fn check_closed(id: &str, plan: &ForcePlan) {
+/// Each polygon's sides but its diagonals add up to nothing, and so do the forces on each link of a dyad.
+fn check_closed(id: &str, mechanism: &Mechanism, plan: &ForcePlan) {
     for polygon in &plan.polygons {
         let size = polygon.sides.iter().map(|side| side.vector.norm()).fold(0.0, f64::max);
         let around: Vector =
             polygon.sides.iter().filter(|side| side.kind != SideKind::Diagonal).map(|side| side.vector).sum();
         assert!(!exceeds(around.norm(), 1e-9 * size), "{id}: {around} of {size}");
-        let mut links: Vec<_> = polygon.sides.iter().map(|side| side.on).collect();
-        links.sort_unstable();
-        links.dedup();
-        // Where links are cut free together, all but the class III and IV groups' have their inner forces in the polygon.
-        if links.len() == 2 && polygon.links.len() == 2 {
-            for link in links {
-                let own = polygon.sides.iter().filter(|side| side.on == link);
-                let is_part = |of: ForceOf| matches!(of, ForceOf::Joint { part, .. } if part != ForcePart::Whole);
-                let sum: Vector = own.filter(|side| !is_part(side.of)).map(|side| side.vector).sum();
-                assert!(!exceeds(sum.norm(), 1e-9 * size), "{id}: link {link:?}: {sum} of {size}");
-            }
+        // In the polygon of a dyad what the inner joint does to one link closes the polygon of each.
+        let &[first, second] = polygon.links.as_slice() else { continue };
+        for link in [first, second] {
+            let sum: Vector = polygon.sides.iter().map(|side| match side.of {
+                ForceOf::Joint { part, .. } if part != ForcePart::Whole => Vector::zeros(),
+                _ if side.on == link => side.vector,
+                ForceOf::Joint { joint, .. } if mechanism.joint(joint).bodies.contains(&link) => -side.vector,
+                _ => Vector::zeros(),
+            }).sum();
+            assert!(!exceeds(sum.norm(), 1e-9 * size), "{id}: link {link:?}: {sum} of {size}");
         }
     }
 }
 
 fn check(id: &str, solution: &Solution, off: f64) {
     let plan = plan(solution);
-    check_closed(id, plan);
+    check_closed(id, &solution.mechanism, plan);
     let agreement = plan.agreement.expect("forces to compare");
     assert!(!exceeds(agreement.difference, agreement.allowed), "{id}: {agreement:?}");
     assert!(!exceeds(agreement.difference, off), "{id}: {agreement:?}");
+}
+
+/// Each drive needs what its lever says: for a lever of its own moments about the pole, without any joint's force.
+fn check_levers(id: &str, solution: &Solution, truth: Option<&Value>) {
+    let result = serde_json::to_value(solution.result()).expect("a result is JSON");
+    let drives: Vec<(String, Value)> =
+        entries(&result["forces"]["drives"]).map(|(name, drive)| (name.to_owned(), drive.clone())).collect();
+    let levers = &solution.construction.levers;
+    assert_eq!(levers.len(), drives.len(), "{id}");
+    for (lever, (name, drive)) in levers.iter().zip(drives) {
+        let key = if drive["torque"].is_null() { "force" } else { "torque" };
+        let size: f64 = lever.forces.iter().map(|force| (force.size * force.arm).abs()).sum::<f64>() / lever.rate.abs();
+        let found = drive[key].as_f64().expect("a number");
+        assert!(!exceeds((lever.effort - found).abs(), 1e-10 * size), "{id}: {name}: {} {found}", lever.effort);
+        if let Some(truth) = truth {
+            let right: f64 = decimal(&truth[&name][key]).parse().expect("a number");
+            assert!(!exceeds((lever.effort - right).abs(), 1e-8 * size), "{id}: {name}: {} {right}", lever.effort);
+        }
+    }
 }
 
 /// Polygons hold the true forces: those of all pins of 35 cases, some beside singular positions.
@@ -71,6 +90,7 @@ fn polygons_hold_what_is_true() {
         let solution = solved(&with_plan(case["scene"].clone()).to_string()).expect("it is solved");
         assert!(is_constructed(&solution), "{id}");
         check(id, &solution, OFF);
+        check_levers(id, &solution, Some(&case["expected"]["drives"]));
         let mechanism = &solution.mechanism;
         let truth = &case["expected"]["reactions"];
         let vector = |json: &Value| Vector::new(decimal(&json[0]).parse().unwrap(), decimal(&json[1]).parse().unwrap());
@@ -134,6 +154,7 @@ fn polygons_and_equations_agree() {
             continue;
         }
         check(&format!("{class} {kinds}\n{scene}"), &solution, 1e-5);
+        check_levers(&format!("{class} {kinds}\n{scene}"), &solution, None);
         constructed += u32::from(is_constructed(&solution));
         seen += 1;
     }
@@ -149,7 +170,7 @@ fn a_plan_is_drawn_where_it_is_asked_for() {
     let solution = solved(&case["scene"].to_string()).expect("it is solved");
     assert!(solution.construction.forces.is_none() && solution.construction.steps[Sheet::Forces].is_empty());
     let scene = json!({
-        "kinegon": 1, "ground": { "A": [0, 0], "D": [160, 0] },
+        "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [160, 0] },
         "links": {
             "1": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "angle": 50, "omega": 10 } },
             "2": { "points": ["B", "C"], "lengths": { "BC": 140 } },

@@ -234,19 +234,21 @@ impl From<ForceStep> for Action {
     }
 }
 
-/// Draws the force plan; `computed` has the loads, and what the polygons are compared with.
-pub(super) fn force_plan(writer: &mut Writer<'_>, computed: &Forces) {
+/// Draws the force plan, or takes its loads alone; `computed` has these, and what the polygons are compared with.
+pub(super) fn force_plan(writer: &mut Writer<'_>, computed: &Forces, has_polygons: bool) {
     let mechanism = writer.mechanism;
     let first = writer.construction.operations.len();
     let mut statics = Statics::new(writer, computed);
-    for group in mechanism.groups.iter().rev() {
-        statics.group(group);
+    if has_polygons {
+        for group in mechanism.groups.iter().rev() {
+            statics.group(group);
+        }
+        for body in driven(mechanism) {
+            statics.driven(body);
+        }
+        statics.move_apart(first);
+        statics.compare();
     }
-    for body in driven(mechanism) {
-        statics.driven(body);
-    }
-    statics.move_apart(first);
-    statics.compare();
     let plan = statics.plan;
     writer.construction.forces = Some(Box::new(plan));
 }

@@ -125,7 +125,7 @@ impl Statics<'_, '_> {
     /// Notes what a joint does to a body: from one corner of a polygon to another.
     fn found(&mut self, of: ForceOf, ends: [PlaceId; 2]) {
         let ForceOf::Joint { joint, on, .. } = of else { return };
-        let [from, to] = ends.map(|place| self.exact(place));
+        let [from, to] = ends.map(|place| self.writer.construction.record.exact.places[place.0]);
         if ends[0] == ends[1] || self.is_nothing(to - from) {
             self.joints.insert(joint, None);
             self.plan.joints.push((joint, on, (ends[0] != ends[1]).then_some(ends)));

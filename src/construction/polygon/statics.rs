@@ -3,13 +3,17 @@
 use super::{ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint};
 use crate::construction::number::{Equation, NumberId, NumberKind, Product, ProductKind};
 use crate::construction::operation::{Along, LineId, MeasuredAs, OperationRole, PlaceId};
-use crate::construction::step::NOTHING;
 use crate::construction::writer::{Begun, Writer};
 use crate::forces::Forces;
 use crate::geometry::{Ball, Number, Pair, Point, Vector, unit};
 use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
+
+/// How many times as large as its error a force must be to have a direction.
+const CERTAIN: f64 = 8.0;
+/// Forces below this part of the largest are left out in any case.
+const LEAST: f64 = 1e-25;
 
 /// A force on a body, with a place of its line of action on the scheme.
 #[derive(Clone, Copy, Debug)]
@@ -91,9 +95,14 @@ impl<'w, 'a> Statics<'w, 'a> {
         self.writer.mechanism
     }
 
-    /// Whether a force is what rounding leaves of none.
-    pub fn is_nothing(&self, force: Vector) -> bool {
-        force.norm() <= NOTHING * self.largest
+    /// Whether a force is what rounding leaves of none, so that it has no direction; it then counts among what is left out.
+    pub fn is_nothing(&mut self, force: Pair<Ball>) -> bool {
+        let (size, error) = (force.rounded().norm(), force.errors().norm());
+        let is_nothing = size <= CERTAIN * error || size <= LEAST * self.largest;
+        if is_nothing {
+            self.left_out += size + error;
+        }
+        is_nothing
     }
 
     /// Takes the loads: size and direction of each, as they are given or follow from the motion.
@@ -102,8 +111,7 @@ impl<'w, 'a> Statics<'w, 'a> {
             let (force, couple) = (load.force.rounded(), load.couple.high);
             let at = Point::from(load.at.rounded());
             self.plan.loads.push(LoadShown { source: load.source, body: load.body, at, force, couple });
-            let of_couple = NOTHING * self.largest * self.writer.size;
-            if load.couple.high.abs() > of_couple
+            if load.couple.high.abs() > CERTAIN * load.couple.error()
                 && let Some(size) = self.writer.take(true, Sheet::Forces, NumberKind::Moment, couple)
             {
                 self.writer.construction.record.exact.numbers[size.0] = load.couple;
@@ -111,8 +119,7 @@ impl<'w, 'a> Statics<'w, 'a> {
             } else {
                 self.left_out += load.couple.largest() / self.writer.size;
             }
-            if self.is_nothing(force) {
-                self.left_out += force.norm();
+            if self.is_nothing(load.force) {
                 continue;
             }
             let kind = NumberKind::Force;
