@@ -232,6 +232,13 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 28] = [
         Kind::Figure(|figure| figure.turned = Some(TurnedName::Clockwise)),
     ),
     (
+        "forces",
+        "examples/figure-2-forces.json",
+        "draw scene.json",
+        "What the joints carry: Ritter's moment and the polygons of the paper's group under loads, and Zhukovsky's lever.",
+        Kind::Figure(|_| ()),
+    ),
+    (
         "step",
         "examples/figure-2.json",
         "draw scene.json --upto 14",

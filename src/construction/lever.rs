@@ -132,8 +132,7 @@ impl Writer<'_> {
         let step = self.begin(Sheet::Lever);
         let pole = self.pole(Sheet::Lever, &format!("p{}", index + 1), Vector::zeros());
         let mechanism = self.mechanism;
-        let image =
-            |body: BodyId, at: Pair<Ball>| turned(state.body(body).referred_to(at).velocity) * Ball::from(rate);
+        let image = |body: BodyId, at: Pair<Ball>| turned(state.body(body).referred_to(at).velocity) * Ball::from(rate);
         let mut links = Vec::new();
         for (body, own) in mechanism.links().filter(|(_, body)| body.role != Role::Unsolved) {
             let at = |point: &PointId| (*point, image(body, self.pose.point(*point).coords.into()).rounded());
@@ -152,15 +151,15 @@ impl Writer<'_> {
                 let at = image(acting.body, acting.at);
                 put.push(Put { load, is_of_couple: false, size, along, at, exact: Some(acting.force) });
             }
-            if acting.couple.high != 0.0
-            {
+            if acting.couple.high != 0.0 {
                 match self.places_apart(computed, acting.body) {
                     Some(places) => {
                         let images = places.map(|place| image(acting.body, place));
                         put.extend(self.couple_on_lever(load, acting.couple, places, images));
                     }
                     // A link that is one point on the drawing.
-                    None => sum.extend(self.power_of_couple(acting.couple, state.body(acting.body).omega * Ball::from(rate))),
+                    None => sum
+                        .extend(self.power_of_couple(acting.couple, state.body(acting.body).omega * Ball::from(rate))),
                 }
             }
             for put in put {

@@ -1,8 +1,8 @@
 //! Steps that a lecturer shows together: each passage reaches one aim of the construction.
 
 use super::constructed::Construction;
-use super::markup::marked;
 use super::lever::LeverStep;
+use super::markup::marked;
 use super::operation::StepId;
 use super::polygon::ForceStep;
 use super::sentence::Teller;
@@ -119,7 +119,13 @@ fn aim(steps: &[NumberedStep<'_>], last: Option<Aim>) -> Aim {
         Action::RateByCenters { .. } | Action::VelocityByCenters(_) => Aim::CenterVelocity,
         Action::Lever(_) => Aim::Lever,
         Action::Force(ForceStep::ByNumbers(_)) => Aim::Nothing,
-        Action::Force(_) => if first.action.polygon().is_some() { Aim::Polygon } else { Aim::Moments },
+        Action::Force(_) => {
+            if first.action.polygon().is_some() {
+                Aim::Polygon
+            } else {
+                Aim::Moments
+            }
+        }
         Action::Divide { .. } | Action::Coincide { .. } => Aim::Images,
         Action::Measure { .. } => {
             let after = actions().find(|action| !action.is_measured());

@@ -16,6 +16,8 @@ use kurbo::{Point, Vec2};
 
 /// Length of a force's arrow, in mm: forces have no scale here.
 const LENGTH: f64 = 10.0;
+/// So many arms at most are seen at once.
+const ARMS: usize = 8;
 /// Radius of the pole.
 const POLE: f64 = 1.1;
 /// Places closer than this, in mm, share a label.
@@ -45,13 +47,31 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
         let panel = LeverOnPaper { view, context, lever, index };
         canvas.step = turned;
         panel.images(canvas);
-        let forces = lever.forces.iter().zip(arms).enumerate();
-        for (number, (force, step)) in forces.filter(|(_, (force, _))| lever.shows(force)) {
-            canvas.step = step;
+        for (number, force) in panel.forces() {
+            canvas.step = arms[number];
+            if !panel.is_crowded() {
+                panel.arm(canvas, number, force);
+            }
             panel.force(canvas, number, force);
         }
         canvas.step = turned;
         panel.points(canvas);
+    }
+    canvas.step = 0;
+}
+
+/// Draws the arms of crowded levers, each in its step alone.
+pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
+    for step in context.construction().numbered_steps() {
+        let Action::Lever(LeverStep::Arm(index, number)) = *step.action else { continue };
+        let panel = LeverOnPaper { view, context, lever: &context.construction().levers[index], index };
+        let force = panel.lever.forces[number];
+        if panel.is_crowded() && panel.shows(&force) {
+            canvas.step = step.number as u16;
+            let before = canvas.drawing.marks.len();
+            panel.arm(canvas, number, &force);
+            canvas.drawing.marks[before..].iter_mut().for_each(|mark| mark.passing = true);
+        }
     }
     canvas.step = 0;
 }
@@ -66,6 +86,21 @@ struct LeverOnPaper<'a> {
 impl LeverOnPaper<'_> {
     fn at(&self, at: Vector) -> Point {
         self.view.at(at.into())
+    }
+
+    /// Whether a force is seen: one that acts in the pole has no moment.
+    fn shows(&self, force: &LeverForce) -> bool {
+        (self.at(force.at) - self.at(self.lever.pole)).hypot() > SHARED && self.lever.shows(force)
+    }
+
+    /// The forces that are seen, by their indices.
+    fn forces(&self) -> impl Iterator<Item = (usize, &LeverForce)> {
+        self.lever.forces.iter().enumerate().filter(|(_, force)| self.shows(force))
+    }
+
+    /// Whether there are too many arms to be seen at once.
+    fn is_crowded(&self) -> bool {
+        self.forces().count() > ARMS
     }
 
     fn images(&self, canvas: &mut Canvas<'_>) {
@@ -87,7 +122,8 @@ impl LeverOnPaper<'_> {
         let pole = self.at(self.lever.pole);
         canvas.draw(Pen::Pole, Shape::Circle { center: pole, radius: POLE });
         let mechanism = self.context.mechanism();
-        let mut named: Vec<(Point, String)> = vec![(pole, self.context.words.notation.pole(Order::Velocity).to_owned())];
+        let mut named: Vec<(Point, String)> =
+            vec![(pole, self.context.words.notation.pole(Order::Velocity).to_owned())];
         for (point, at) in self.lever.links.iter().flat_map(|(_, images)| images) {
             let (at, name) = (self.at(*at), image_name(mechanism.point_name(*point)));
             if (at - pole).hypot() > SHARED && !named.iter().any(|(_, other)| *other == name) {
@@ -102,9 +138,22 @@ impl LeverOnPaper<'_> {
         }
     }
 
-    /// A force at its image, and its arm.
-    fn force(&self, canvas: &mut Canvas<'_>, number: usize, force: &LeverForce) {
+    /// The line of action of a force, and its arm.
+    fn arm(&self, canvas: &mut Canvas<'_>, number: usize, force: &LeverForce) {
         let [at, foot, pole] = [force.at, force.foot, self.lever.pole].map(|place| self.at(place));
+        let room = canvas.room();
+        let id = format!("{}-{}", self.index + 1, number + 1);
+        if let Some((a, b)) = clipped_segment(room, at, foot) {
+            canvas.draw_below(&format!("action-{id}"), Pen::Ray, Shape::Line(a, b));
+        }
+        if let Some((a, b)) = clipped_segment(room, pole, foot).filter(|_| (foot - pole).hypot() > SHARED) {
+            canvas.draw_below(&format!("arm-{id}"), Pen::Construction, Shape::Line(a, b));
+        }
+    }
+
+    /// A force at its image.
+    fn force(&self, canvas: &mut Canvas<'_>, number: usize, force: &LeverForce) {
+        let at = self.at(force.at);
         let along = on_sheet(force.along) * LENGTH;
         let ways = [[at, at + along], [at - along, at]];
         let room = canvas.room();
@@ -114,14 +163,6 @@ impl LeverOnPaper<'_> {
         };
         let Some([from, to]) = ways.into_iter().min_by_key(cost) else { return };
         let name = format!("force-{}-{}", self.index + 1, number + 1);
-        if let Some((a, b)) = clipped_segment(room, at, foot) {
-            canvas.draw(Pen::Ray, Shape::Line(a, b));
-        }
-        if (foot - pole).hypot() > SHARED
-            && let Some((a, b)) = clipped_segment(room, pole, foot)
-        {
-            canvas.draw(Pen::Construction, Shape::Line(a, b));
-        }
         canvas.draw_named(&name, Pen::Acceleration, canvas.arrow(from, to));
         let free = if from == at { to } else { from };
         let symbol = RichText::math(&self.context.teller().lever_symbol(force));

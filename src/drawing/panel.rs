@@ -320,7 +320,7 @@ pub(super) fn content<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Layer<
 
 /// The layer with the hints at the subject of each step.
 pub(super) fn hints<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Layer<'a> {
-    layer(context, sheet, [scheme::hints, centers::hints, |_, _, _| (), |_, _, _| ()], plan::hints)
+    layer(context, sheet, [scheme::hints, centers::hints, |_, _, _| (), lever::hints], plan::hints)
 }
 
 /// A layer of the scheme or of a plan; a plan that a position does not have is not drawn.

@@ -82,7 +82,9 @@ impl List<'_> {
     fn value(&self, panel: Sheet, symbol: String, number: f64, kind: QuantityKind, since: u16, of: ValueOf) -> Value {
         let words = &self.context.words;
         let (written, unit) = match kind {
-            QuantityKind::Length if panel != Sheet::Forces => (words.write(number, GIVEN), kind.unit(self.context.solution.scene.units)),
+            QuantityKind::Length if panel != Sheet::Forces => {
+                (words.write(number, GIVEN), kind.unit(self.context.solution.scene.units))
+            }
             QuantityKind::Velocity | QuantityKind::Acceleration => {
                 (words.write(number * self.factor, VALUE), kind.unit(self.units))
             }
@@ -151,7 +153,8 @@ impl List<'_> {
     fn of_forces(&self) -> Vec<Value> {
         let all = forces::values::results(self.context).into_iter();
         let since = self.context.construction().step_count() as u16;
-        all.map(|(symbol, number, kind)| self.value(Sheet::Forces, symbol, number, kind, since, ValueOf::Force)).collect()
+        all.map(|(symbol, number, kind)| self.value(Sheet::Forces, symbol, number, kind, since, ValueOf::Force))
+            .collect()
     }
 
     /// Sizes of a plan's vectors; equal vectors share a value.

@@ -42,12 +42,16 @@ fn check_closed(id: &str, mechanism: &Mechanism, plan: &ForcePlan) {
         // In the polygon of a dyad what the inner joint does to one link closes the polygon of each.
         let &[first, second] = polygon.links.as_slice() else { continue };
         for link in [first, second] {
-            let sum: Vector = polygon.sides.iter().map(|side| match side.of {
-                ForceOf::Joint { part, .. } if part != ForcePart::Whole => Vector::zeros(),
-                _ if side.on == link => side.vector,
-                ForceOf::Joint { joint, .. } if mechanism.joint(joint).bodies.contains(&link) => -side.vector,
-                _ => Vector::zeros(),
-            }).sum();
+            let sum: Vector = polygon
+                .sides
+                .iter()
+                .map(|side| match side.of {
+                    ForceOf::Joint { part, .. } if part != ForcePart::Whole => Vector::zeros(),
+                    _ if side.on == link => side.vector,
+                    ForceOf::Joint { joint, .. } if mechanism.joint(joint).bodies.contains(&link) => -side.vector,
+                    _ => Vector::zeros(),
+                })
+                .sum();
             assert!(!exceeds(sum.norm(), 1e-9 * size), "{id}: link {link:?}: {sum} of {size}");
         }
     }

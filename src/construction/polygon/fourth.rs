@@ -26,10 +26,8 @@ impl Statics<'_, '_> {
             self.leg(joint_g, joint_f, &second_closure)?.reversed(self),
         ];
         let [a, k, b] = self.steepest([&legs[0], &legs[1], &legs[2]]);
-        let own = self.set(&drag).with(
-            legs.iter().filter_map(|leg| leg.across),
-            legs.iter().filter_map(|leg| leg.couple),
-        );
+        let own =
+            self.set(&drag).with(legs.iter().filter_map(|leg| leg.across), legs.iter().filter_map(|leg| leg.couple));
         let rest = self.rest_by_moments(&drag, own, [&legs[a], &legs[b]], &legs[k])?;
         let mut chain = self.chain(&drag);
         let polygon = chain.polygon;

@@ -1,7 +1,7 @@
 //! Couples in guides, from the moments of single links.
 
-use super::statics::{Couple, Set, Statics};
 use super::Found;
+use super::statics::{Couple, Set, Statics};
 use crate::construction::number::NumberKind;
 use crate::mechanism::{BodyId, JointId};
 use crate::sheet::Sheet;

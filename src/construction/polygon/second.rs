@@ -48,12 +48,7 @@ impl Statics<'_, '_> {
     }
 
     /// Where the part of a leg's force ends that begins a polygon.
-    pub fn end_of_first(
-        &self,
-        leg: &Leg,
-        polygon: usize,
-        start: PlaceId,
-    ) -> PlaceId {
+    pub fn end_of_first(&self, leg: &Leg, polygon: usize, start: PlaceId) -> PlaceId {
         let sides = &self.plan.polygons[polygon].sides;
         leg.across.and(sides.first()).map_or(start, |side| side.ends[1])
     }

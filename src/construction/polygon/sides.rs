@@ -82,10 +82,11 @@ impl Statics<'_, '_> {
         }
         let step = self.begin();
         let corner = self.writer.cross(true, Sheet::Forces, OperationRole::Image, [lines[0], lines[1]])?;
-        let [after, before] = [(lines[0], [chain.end, corner]), (lines[1], [corner, chain.start])].map(|(line, ends)| {
-            let size = self.writer.measure(Sheet::Forces, NumberKind::Force, ends, MeasuredAs::Along(line));
-            (size, ends)
-        });
+        let [after, before] =
+            [(lines[0], [chain.end, corner]), (lines[1], [corner, chain.start])].map(|(line, ends)| {
+                let size = self.writer.measure(Sheet::Forces, NumberKind::Force, ends, MeasuredAs::Along(line));
+                (size, ends)
+            });
         self.add_side(chain.polygon, first.0, before.1, SideKind::Found);
         self.add_side(chain.polygon, second.0, after.1, SideKind::Found);
         self.finish(step, ForceStep::Cross(chain.polygon, sides));

@@ -135,7 +135,8 @@ impl<'w, 'a> Statics<'w, 'a> {
 
     /// The place of a load on the scheme: that of a joint, where it acts in one.
     fn place_of_load(&mut self, index: usize, body: BodyId, at: Pair<Ball>) -> PlaceId {
-        let near = |point: &&PointId| (self.writer.pose.point(**point).coords - at.rounded()).norm() <= self.writer.near;
+        let near =
+            |point: &&PointId| (self.writer.pose.point(**point).coords - at.rounded()).norm() <= self.writer.near;
         match self.mechanism().body(body).points.iter().find(near) {
             Some(point) => self.writer.plot(*point),
             None => self.writer.plot_place(OperationRole::Load(index), at),
@@ -261,26 +262,16 @@ impl<'w, 'a> Statics<'w, 'a> {
         let found = self.writer.solve(Sheet::Forces, vec![NumberKind::Force], vec![Equation { left, right }])?;
         let size = *found.first()?;
         let value = self.number(size);
-        self.take_moment(step, Moment {
-            links: links.to_vec(),
-            about,
-            at: self.point(place),
-            arms,
-            finds: Found::Force(of),
-            value,
-        });
+        self.take_moment(
+            step,
+            Moment { links: links.to_vec(), about, at: self.point(place), arms, finds: Found::Force(of), value },
+        );
         let ForceOf::Joint { on, .. } = of else { return None };
         Some(Some(Force { of, on, at, along, size, sign: 1.0, exact: None }))
     }
 
     /// Finds a couple from the moments of links about a joint; none where nothing has a moment.
-    pub fn couple_by_moments(
-        &mut self,
-        links: &[BodyId],
-        set: &Set,
-        about: PointId,
-        finds: Found,
-    ) -> Option<NumberId> {
+    pub fn couple_by_moments(&mut self, links: &[BodyId], set: &Set, about: PointId, finds: Found) -> Option<NumberId> {
         let step = self.begin();
         let place = self.writer.plot(about);
         let (sum, arms) = self.moments(set, place);

@@ -21,10 +21,9 @@ impl Statics<'_, '_> {
         let legs: Vec<Leg> =
             joints.iter().map(|(outer, inner, links)| self.leg(*outer, *inner, links)).collect::<Option<_>>()?;
         let [a, k, b] = self.steepest([&legs[0], &legs[1], &legs[2]]);
-        let all = self.set(&group.bodies).with(
-            legs.iter().filter_map(|leg| leg.across),
-            legs.iter().filter_map(|leg| leg.couple),
-        );
+        let all = self
+            .set(&group.bodies)
+            .with(legs.iter().filter_map(|leg| leg.across), legs.iter().filter_map(|leg| leg.couple));
         let rest = self.rest_by_moments(&group.bodies, all, [&legs[a], &legs[b]], &legs[k])?;
         let mut chain = self.chain(&group.bodies);
         let polygon = chain.polygon;

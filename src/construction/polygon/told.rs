@@ -143,7 +143,8 @@ impl Teller<'_> {
     }
 
     fn moments(&self, moment: &Moment) -> String {
-        let (language, links, found) = (self.words.language, self.links_in_words(&moment.links), self.found(moment.finds));
+        let (language, links, found) =
+            (self.words.language, self.links_in_words(&moment.links), self.found(moment.finds));
         match (moment.about, moment.finds) {
             (MomentPoint::Joint(point), Found::Couple(slider)) => {
                 let point = display(self.mechanism.point_name(point));
@@ -169,7 +170,11 @@ impl Teller<'_> {
                 let (of, own) = self.side(*polygon, *side)?;
                 let force = self.force_symbol(own.of);
                 match side {
-                    0 => language.force_begin(&self.links_in_words(&of.links), Sheet::Forces.facts().scale_symbol, &force),
+                    0 => language.force_begin(
+                        &self.links_in_words(&of.links),
+                        Sheet::Forces.facts().scale_symbol,
+                        &force,
+                    ),
                     _ => language.force_lay_off(&force),
                 }
             }

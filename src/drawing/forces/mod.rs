@@ -21,9 +21,11 @@ const BEYOND: f64 = 5.0;
 /// The extent of all polygons.
 pub(super) fn extent(context: &SheetContext<'_>) -> Option<Extent> {
     let plan = context.construction().forces.as_deref()?;
-    let ends = plan.polygons.iter().flat_map(|polygon| &polygon.sides).flat_map(|side| {
-        [side.from, side.from + side.vector].map(geometry::Point::from)
-    });
+    let ends = plan
+        .polygons
+        .iter()
+        .flat_map(|polygon| &polygon.sides)
+        .flat_map(|side| [side.from, side.from + side.vector].map(geometry::Point::from));
     Some(Extent::of(ends))
 }
 
@@ -56,9 +58,9 @@ impl ForceSteps {
             let number = step.number as u16;
             let Action::Force(action) = step.action else { continue };
             match *action {
-                ForceStep::LayOff(polygon, side)
-                | ForceStep::Close(polygon, side)
-                | ForceStep::Join(polygon, side) => steps.sides[polygon][side] = number,
+                ForceStep::LayOff(polygon, side) | ForceStep::Close(polygon, side) | ForceStep::Join(polygon, side) => {
+                    steps.sides[polygon][side] = number
+                }
                 ForceStep::Direction(polygon, side) => steps.directions[polygon][side] = Some(number),
                 ForceStep::Cross(polygon, side) => steps.sides[polygon][side..=side + 1].fill(number),
                 _ => {}
@@ -178,14 +180,20 @@ fn links(mechanism: &Mechanism, polygon: &Polygon) -> Vec<BodyId> {
 /// The corners of the closed chain of the forces on one link; `None` where they do not stand head to tail.
 fn corners(mechanism: &Mechanism, polygon: &Polygon, link: BodyId) -> Option<Vec<geometry::Vector>> {
     let is_part = |side: &&Side| mechanism.lead(side.on) == link;
-    let has_parts = |side: &Side| match side.of {
+    let has_parts = |side: &Side| {
+        match side.of {
         ForceOf::Joint { joint, part: ForcePart::Whole, .. } => polygon.sides.iter().any(|other| {
             matches!(other.of, ForceOf::Joint { joint: own, part, .. } if own == joint && part != ForcePart::Whole)
         }),
         _ => false,
+    }
     };
-    let mut left: Vec<&Side> =
-        polygon.sides.iter().filter(is_part).filter(|side| side.kind != SideKind::Diagonal || !has_parts(side)).collect();
+    let mut left: Vec<&Side> = polygon
+        .sides
+        .iter()
+        .filter(is_part)
+        .filter(|side| side.kind != SideKind::Diagonal || !has_parts(side))
+        .collect();
     let first = left.pop()?;
     let (mut corners, mut end) = (vec![first.from], first.ends[1]);
     while !left.is_empty() {

@@ -39,10 +39,17 @@ impl SchemeOnPaper<'_> {
             self.force(canvas, index, load);
         }
         let moment = |load: &LoadShown| load.couple.abs();
-        let largest = plan.loads.iter().map(moment).fold(largest * geometry::span(self.pose.points.iter().copied()), f64::max);
+        let largest =
+            plan.loads.iter().map(moment).fold(largest * geometry::span(self.pose.points.iter().copied()), f64::max);
         for (index, load) in plan.loads.iter().enumerate().filter(|(_, load)| moment(load) > NOTHING * largest) {
             let symbol = self.context.teller().couple_symbol(load.source, load.body);
-            self.couple(canvas, &format!("couple-{}", index + 1), self.view.at(load.at), load.couple, (&symbol, RADIUS));
+            self.couple(
+                canvas,
+                &format!("couple-{}", index + 1),
+                self.view.at(load.at),
+                load.couple,
+                (&symbol, RADIUS),
+            );
         }
         self.torques(canvas, plan);
         canvas.step = 0;

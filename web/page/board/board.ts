@@ -25,7 +25,7 @@ import { say, type Saying } from "./words.ts";
 /** Narrower than this one sheet is shown at a time. */
 const NARROW = "(max-width: 959.9px)";
 /** Those that are drawn on: instant centres and forces are not yet. */
-const ALL = SHEETS.map(({ key }) => key).filter((key) => key !== "centers" && key !== "forces");
+const ALL = SHEETS.map(({ key }) => key).filter((key) => key === "scheme" || key === "velocity" || key === "acceleration");
 
 /** Shows the board as `app.drawing` says; nothing of it is there before. */
 export function board(app: App): void {
