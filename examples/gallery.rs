@@ -112,7 +112,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 28] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 29] = [
     (
         "style-paper",
         "templates/whitworth.json",
