@@ -146,7 +146,15 @@ impl Bench<'_> {
                 (own - expected).norm() <= self.typed_reach(sheet, run)
             })
         };
-        if !(is_right || is_typed && as_expected()) {
+        let as_recognised = || {
+            let given = self.judge.given();
+            let is_right = |made: &Made| match (made, given.place(sheet, name)) {
+                (Made::Place(_, _, at), Some(right)) => (at - right).norm() <= SAME * given.size(sheet),
+                _ => false,
+            };
+            self.made_with_right_numbers(entry, false).iter().any(is_right)
+        };
+        if !(is_right || is_typed && (as_expected() || as_recognised())) {
             return Found::Wrong(match entry {
                 Entry::Cross(_) => says::lines_of_others(name),
                 _ => says::point_elsewhere(name),
@@ -221,7 +229,7 @@ impl Bench<'_> {
     }
 
     /// Whether a length or a segment is measured between other points than its name has.
-    fn is_between_others(&self, measure: &Measure) -> bool {
+    pub fn is_between_others(&self, measure: &Measure) -> bool {
         let Some((sheet, ends)) = super::reads::segment_of(&measure.measure) else { return false };
         let own = [&measure.from, &measure.to];
         let place = |name: &String| self.own.place(sheet, name);

@@ -144,8 +144,14 @@ impl<'j> Bench<'j> {
             _ => None,
         };
         let mut is_own = false;
+        // A typed number is right where it follows from what the hand has.
+        let mut recognised = match is_typed_here(entry) {
+            true => self.made_with_right_numbers(entry, false).into_iter().next(),
+            false => None,
+        };
+        let is_sure = is_sure || recognised.as_ref().is_some_and(|made| self.is_known(entry, made));
         for table in &mut self.right {
-            let alone = table.carry_out(entry).unwrap_or_else(|_| made.clone());
+            let alone = recognised.take().map_or_else(|| table.carry_out(entry), Ok).unwrap_or_else(|_| made.clone());
             let right = match alone {
                 Made::Place(sheet, name, at) => {
                     let right = table.given.place(sheet, &name);
@@ -182,6 +188,19 @@ impl<'j> Bench<'j> {
         }
     }
 
+    /// Whether what a recognised number makes in the scene is something with a name: itself, or a vector of the plan.
+    fn is_known(&self, entry: &Entry, made: &Made) -> bool {
+        match (entry, made) {
+            (Entry::LayOff(LayOff { from, .. }), Made::Place(sheet, _, end)) => {
+                let (given, small) = (self.judge.given(), 1e-6 * self.judge.given().size(*sheet));
+                let Some(start) = self.right[0].place(*sheet, from) else { return false };
+                given.vectors(*sheet).iter().any(|known| (end - start - known).norm() <= small)
+            }
+            (_, Made::Numbers(_)) => true,
+            _ => false,
+        }
+    }
+
     fn is_sure(&self, entry: &Entry, made: &Made) -> bool {
         match made {
             Made::Place(sheet, ..) => self.is_known_vector(entry, *sheet),
@@ -208,6 +227,15 @@ fn is_typed(entry: &Entry) -> bool {
             let mut sides = equations.iter().filter_map(|text| Formula::sides(text).ok()).flatten();
             sides.any(|side| side.has_constants())
         }
+        _ => false,
+    }
+}
+
+/// Whether a size or a number was typed in it.
+pub(super) fn is_typed_here(entry: &Entry) -> bool {
+    match entry {
+        Entry::LayOff(LayOff { size, .. }) => size.has_constants(),
+        Entry::Compute(Compute { by, .. }) => by.as_ref().is_none_or(Formula::has_constants),
         _ => false,
     }
 }

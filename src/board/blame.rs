@@ -1,7 +1,7 @@
 //! Who is to blame for a wrong entry, and what was probably done there: the entry itself, or something of the hand's own on which it hangs.
 
 use super::alone::Held;
-use super::bench::{Bench, has_numbers};
+use super::bench::{Bench, has_numbers, is_typed_here};
 use super::direction::Direction;
 use super::file::{Compute, Entry, LayOff, Line, Measure};
 use super::formula::Formula;
@@ -10,10 +10,11 @@ use super::reads::reads;
 use super::says;
 use super::slips::Slip;
 use super::table::{Made, things};
-use crate::check::{Mistake, Told, tell};
+use crate::check::{Blank, Mistake, Told, tell};
 use crate::geometry::{Vector, unit};
 use crate::message::Message;
-use std::collections::BTreeSet;
+use crate::sheet::Sheet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Most names of a formula that is written out.
 const MOST_NAMES: usize = 40;
@@ -32,39 +33,75 @@ impl Bench<'_> {
         verdicts: &mut [Verdict],
     ) -> Verdict {
         let mistake = self.cause(entry, made, is_typed);
-        if mistake.is_none()
-            && let Some((earlier, right)) = self.culprit(entry, made)
-        {
-            let name = things(made).into_iter().next().map_or_else(String::new, |(_, name)| name);
-            let own = self.done.iter().find(|(index, _)| *index == earlier);
-            let mistake = own.zip(right).and_then(|((_, own), right)| self.slip(own, right, is_typed));
-            verdicts[earlier] = Verdict::Wrong(Wrong { what: says::leads_wrong(name), mistake });
-            return Verdict::Follows;
+        let is_known = mistake.is_some();
+        // A right vector or ray that does not begin where it should: its beginning may be what is wrong.
+        let is_of_start = [Mistake::VectorFromWrongPoint, Mistake::RayFromWrongPoint];
+        let begins_wrong =
+            mistake.as_ref().is_some_and(|told| is_of_start.contains(&told.mistake)) && self.begins_at_own(entry, made);
+        if !is_known || begins_wrong {
+            for entry in self.as_meant(entry) {
+                let Some((earlier, right)) = self.culprit(&entry, made, is_typed) else { continue };
+                let own = self.done.iter().find(|(index, _)| *index == earlier);
+                let told = own.and_then(|(_, own)| right.into_iter().find_map(|right| self.slip(own, right, is_typed)));
+                if told.is_none() && is_known {
+                    continue;
+                }
+                let name = things(made).into_iter().next().map_or_else(String::new, |(_, name)| name);
+                verdicts[earlier] = Verdict::Wrong(Wrong { what: says::leads_wrong(name), mistake: told });
+                return Verdict::Follows;
+            }
         }
         Verdict::Wrong(Wrong { what, mistake })
+    }
+
+    /// The entry; of a free line all that it may mean.
+    fn as_meant(&self, entry: &Entry) -> Vec<Entry> {
+        match entry {
+            Entry::Line(line) if line.drawn.is_some() => self.meant(line),
+            other => vec![other.clone()],
+        }
+    }
+
+    /// Whether a vector or a line begins at a point of the hand's own.
+    fn begins_at_own(&self, entry: &Entry, made: &Made) -> bool {
+        let begins = match (entry, made) {
+            (Entry::LayOff(laid), Made::Place(sheet, ..)) => Some((*sheet, &laid.from)),
+            (Entry::Line(line), Made::Line(_, drawn)) => line.through.as_ref().map(|through| (drawn.sheet, through)),
+            _ => None,
+        };
+        begins.is_some_and(|(sheet, from)| self.made.contains_key(&(Some(sheet), from.clone())))
     }
 
     /// The mistake of the catalogue that does the same, or a slip that explains it; of a free line whatever it may have meant.
     fn cause(&self, entry: &Entry, made: &Made, is_typed: bool) -> Option<Told> {
         let slip = || self.meant_to_be(entry, made).and_then(|right| self.slip(entry, right, is_typed));
         let of = |entry: &Entry| {
-            let typed = if is_typed { self.as_if_right(entry, true) } else { None };
-            self.causes.of(entry, made, &self.right, typed.as_ref()).map(|cause| cause.told)
+            let told = |typed: Option<&Made>| self.causes.of(entry, made, &self.right, typed).map(|cause| cause.told);
+            if is_typed { self.as_if_right(entry, true).iter().find_map(|typed| told(Some(typed))) } else { told(None) }
         };
         match entry {
             Entry::Line(line) => {
                 let meant = self.meant(line);
-                meant.iter().find_map(of).or_else(|| meant.iter().find_map(|meant| self.turned_over(meant)))
+                let turned = || self.meant_turned_over(line).into_iter();
+                meant
+                    .iter()
+                    .find_map(of)
+                    .or_else(|| meant.iter().cloned().chain(turned()).find_map(|one| self.turned_over(&one)))
             }
-            // A vector has its classical mistakes; another length is a slip like others.
+            // A vector has its classical mistakes; another length or segment is a slip like others.
             Entry::LayOff(_) => match of(entry) {
-                Some(told) if told.mistake != Mistake::WrongLength => Some(told),
+                Some(told) if !matches!(told.mistake, Mistake::WrongLength | Mistake::WrongSegment) => Some(told),
                 other => slip().or(other),
             },
             // In equations signs are wrong, too, which the catalogue takes for something else.
             Entry::Solve(_) => slip(),
-            Entry::Measure(Measure { read: Some(read), .. }) => {
-                slip().or_else(|| self.misreading(entry, *read)).or_else(|| of(entry))
+            Entry::Measure(Measure { read: Some(read), .. }) => slip()
+                .or_else(|| self.misreading(entry, *read))
+                .or_else(|| of(entry))
+                .or_else(|| self.between_others(entry)),
+            Entry::Measure(_) => slip().or_else(|| of(entry)).or_else(|| self.between_others(entry)),
+            Entry::Compute(Compute { compute, by: None, value: Some(value), .. }) => {
+                self.mistyped(compute, *value).or_else(slip).or_else(|| of(entry))
             }
             _ => slip().or_else(|| of(entry)),
         }
@@ -83,6 +120,23 @@ impl Bench<'_> {
         is_right.then(|| tell::mirrored_image(through.into(), target.as_str().into(), end.into()))
     }
 
+    /// A segment of the hand's own that was measured between other points than its name says.
+    fn between_others(&self, entry: &Entry) -> Option<Told> {
+        let Entry::Measure(measure) = entry else { return None };
+        let (sheet, _) = super::reads::segment_of(&measure.measure).filter(|_| self.is_between_others(measure))?;
+        let [from, to] = [&measure.from, &measure.to].map(|end| end.as_str().into());
+        Some(match sheet {
+            Sheet::Scheme => tell::wrong_length(Blank::Symbol(measure.measure.clone()), from, to),
+            _ => tell::wrong_segment(Blank::Quantity(measure.measure.clone()), from, to),
+        })
+    }
+
+    /// Digits that were exchanged where a number was typed that the hand's own things give.
+    fn mistyped(&self, name: &str, typed: f64) -> Option<Told> {
+        let expected = self.causes.expected_number(&self.own, name)?;
+        super::slips::digits_transposed(name, typed, expected, 0.012)
+    }
+
     fn misreading(&self, entry: &Entry, read: f64) -> Option<Told> {
         let Entry::Measure(measure) = entry else { return None };
         Slip::misread(&self.own, measure, self.measured_on(measure)?, read)
@@ -91,10 +145,26 @@ impl Bench<'_> {
     /// The slip that explains how an entry makes something else than it should.
     fn slip(&self, entry: &Entry, right: Made, is_typed: bool) -> Option<Told> {
         let table = &self.right[0];
-        let alone = self.as_if_right(entry, is_typed)?;
         let tolerance = if is_typed || has_numbers(entry) { 0.012 } else { 1e-6 };
-        let whole = self.written_out(entry);
-        Slip { table, entry: &whole, alone: &alone, right, tolerance }.told()
+        let (whole, measured) = (self.written_out(entry), self.measured());
+        let told = |alone: &Made| {
+            Slip { table, entry: &whole, alone, right: right.clone(), tolerance, measured: measured.clone() }.told()
+        };
+        self.as_if_right(entry, is_typed).iter().find_map(told)
+    }
+
+    /// What the hand's own names of measured segments and lengths mean.
+    fn measured(&self) -> BTreeMap<String, (Sheet, [String; 2])> {
+        let own = self.done.iter().filter_map(|(_, entry)| match entry {
+            Entry::Measure(measure) if super::reads::segment_of(&measure.measure).is_none() => {
+                let (sheet, ends) = (self.measured_on(measure)?, [measure.from.clone(), measure.to.clone()]);
+                // What lies at a point of the hand's own is as right as that.
+                let have_meaning = ends.iter().all(|end| self.judge.given().place(sheet, end).is_some());
+                have_meaning.then(|| (measure.measure.clone(), (sheet, ends)))
+            }
+            _ => None,
+        });
+        own.collect()
     }
 
     /// The entry with the formulas of the hand's own numbers in place of their names.
@@ -120,9 +190,24 @@ impl Bench<'_> {
         }
     }
 
-    /// What an entry makes in the scene with right inputs. A typed number was worked out from the hand's own things: it is taken in the
-    /// same ratio to what should come out of these.
-    fn as_if_right(&self, entry: &Entry, is_typed: bool) -> Option<Made> {
+    /// What an entry may make in the scene with right inputs: a typed number was worked out from the hand's own things, right or by a usual
+    /// mistake.
+    fn as_if_right(&self, entry: &Entry, is_typed: bool) -> Vec<Made> {
+        let mut all: Vec<Made> = self.in_the_same_ratio(entry, is_typed).into_iter().collect();
+        // A number with a meaning of its own is held against what should come out.
+        let has_meaning = |made: &Made| match made {
+            Made::Numbers(all) => all.iter().any(|(name, _)| self.judge.given().number(name).is_some()),
+            _ => false,
+        };
+        if is_typed && !all.iter().any(has_meaning) {
+            all.extend(self.made_with_right_numbers(entry, true));
+        }
+        all
+    }
+
+    /// What an entry makes in the scene with right inputs; a typed number is taken in the same ratio to what should come out of the hand's
+    /// own things.
+    fn in_the_same_ratio(&self, entry: &Entry, is_typed: bool) -> Option<Made> {
         let table = &self.right[0];
         let alone = table.carried_out_again(entry).ok()?;
         if !is_typed {
@@ -177,12 +262,16 @@ impl Bench<'_> {
     }
 
     /// Of the hand's own things on which a wrong entry hangs, the first with which it would be right, were that something that has a
-    /// name, as a vector of the plan or a known number, and what that is. Where there is only one, it is that one.
-    fn culprit(&self, entry: &Entry, made: &Made) -> Option<(usize, Option<Made>)> {
+    /// name, as a vector of the plan or a known number, and what that may be. Where there is only one, it is that one.
+    fn culprit(&self, entry: &Entry, made: &Made, is_typed: bool) -> Option<(usize, Vec<Made>)> {
         if self.has_two_exchanged(entry, made) {
             return None;
         }
         let hangs_on = self.chain(entry);
+        let with_right_numbers = |entry: &Entry| match is_typed_here(entry) {
+            true => self.with_right_numbers(entry, false).into_iter().next().unwrap_or_else(|| entry.clone()),
+            false => entry.clone(),
+        };
         let suspects: Vec<usize> = hangs_on.iter().copied().filter(|index| self.is_unsure(*index)).collect();
         let mended = |suspect: usize| {
             let table = &self.right[0];
@@ -192,21 +281,31 @@ impl Bench<'_> {
                 other.put(instead.clone());
                 for index in hangs_on.iter().filter(|index| **index > suspect) {
                     let (_, entry) = self.done.iter().find(|(other, _)| other == index)?;
-                    let again = other.carried_out_again(entry).ok()?;
+                    let again = other.carried_out_again(&with_right_numbers(entry)).ok()?;
                     other.put(again);
                 }
-                let again = other.carried_out_again(entry).ok()?;
+                let again = other.carried_out_again(&with_right_numbers(entry)).ok()?;
                 self.is_meant(&again, made).then_some(())
             };
-            self.causes.instead_of(replaced, table).into_iter().find(|instead| is_right(instead).is_some())
+            let is_same_size = |instead: &Made| match (instead, table.carried_out_again(replaced)) {
+                (Made::Numbers(instead), Ok(Made::Numbers(own))) => {
+                    instead.iter().zip(&own).all(|((_, a), (_, b))| (a.abs() - b.abs()).abs() <= 1e-6 * b.abs())
+                }
+                _ => false,
+            };
+            // A size that is right with the other sign is no wrong size.
+            let all = self.causes.instead_of(replaced, table).into_iter().filter(|instead| !is_same_size(instead));
+            let right: Vec<Made> = all.filter(|instead| is_right(instead).is_some()).collect();
+            let is_explained = || right.iter().any(|right| self.slip(replaced, right.clone(), is_typed).is_some());
+            (!right.is_empty() && (self.is_unsure(suspect) || is_explained())).then_some(right)
         };
         // What has a name of its own may still be the wrong one here.
         let all = suspects.iter().chain(hangs_on.iter().filter(|index| !suspects.contains(index)));
         let mut all = all.copied().filter(|_| hangs_on.len() <= MOST_CHAINED);
-        let found = all.find_map(|suspect| mended(suspect).map(|right| (suspect, Some(right))));
+        let found = all.find_map(|suspect| mended(suspect).map(|right| (suspect, right)));
         found.or_else(|| {
             let is_number = !matches!(entry, Entry::Line(_) | Entry::Join(_)) && self.has_right_direction(entry, made);
-            suspects.first().filter(|_| is_number).map(|first| (*first, None))
+            suspects.first().filter(|_| is_number).map(|first| (*first, Vec::new()))
         })
     }
 

@@ -97,13 +97,15 @@ impl<'j> Causes<'j> {
     }
 
     /// What could stand in the place of something of the hand's own: of a point those to which vectors of the plan lead from where it
-    /// was laid off, of a number those with names.
+    /// was laid off, parts of given ones among them, and where the same vector leads from elsewhere; of a number those with names.
     pub fn instead_of(&self, entry: &Entry, table: &Table<'_>) -> Vec<Made> {
         match (entry, table.carried_out_again(entry)) {
-            (Entry::LayOff(LayOff { from, .. }), Ok(Made::Place(sheet, name, _))) => {
+            (Entry::LayOff(LayOff { from, .. }), Ok(Made::Place(sheet, name, at))) => {
                 let start = table.place(sheet, from).unwrap_or_default();
-                let vectors = table.given.vectors(sheet).into_iter();
-                vectors.flat_map(|v| [v, -v]).map(|v| Made::Place(sheet, name.clone(), start + v)).collect()
+                let vectors = table.given.vectors(sheet).into_iter().chain(table.given.given_parts(sheet));
+                let ends = vectors.flat_map(|v| [v, -v]).map(|v| start + v);
+                let elsewhere = table.places(sheet).map(|(_, other)| other + (at - start));
+                ends.chain(elsewhere).map(|end| Made::Place(sheet, name.clone(), end)).collect()
             }
             (Entry::Compute(_), Ok(Made::Numbers(all))) => {
                 let Some((name, _)) = all.first() else { return Vec::new() };

@@ -7,6 +7,7 @@ use super::says;
 use crate::geometry::direction_of_degrees;
 use crate::message::Message;
 use crate::scene::QuantityName;
+use crate::words::Medium;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -57,6 +58,29 @@ const FUNCTIONS: [(&str, Function); 5] = [
 const DEEPEST: usize = 50;
 
 impl Formula {
+    /// As it is written in this kind of text: in figures with minus signs in place of hyphens, but for those in names.
+    pub(super) fn written(&self, medium: Medium) -> String {
+        match medium {
+            Medium::Text => self.text.clone(),
+            Medium::Figure => {
+                let (mut written, mut word, mut is_name) = (String::new(), String::new(), false);
+                for letter in self.text.chars() {
+                    match letter {
+                        '(' => is_name |= !word.is_empty() && !FUNCTIONS.iter().any(|(name, _)| *name == word),
+                        ')' => is_name = false,
+                        _ => {}
+                    }
+                    match letter.is_alphanumeric() || letter == '_' {
+                        true => word.push(letter),
+                        false => word.clear(),
+                    }
+                    written.push(if letter == '-' && !is_name { '−' } else { letter });
+                }
+                written
+            }
+        }
+    }
+
     /// The formula of a text.
     ///
     /// # Errors

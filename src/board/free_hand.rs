@@ -23,21 +23,39 @@ const MOST_POINTS: usize = 6;
 impl Bench<'_> {
     /// What a line may mean: what stands in its entry, or all points and directions that its place allows.
     pub fn meant(&self, line: &Line) -> Vec<Entry> {
-        let Some(drawn) = line.drawn.filter(|_| line.through.is_none() || line.along.is_none()) else {
+        if line.drawn.is_none() || line.through.is_some() && line.along.is_some() {
             return vec![Entry::Line(Line { drawn: None, ..line.clone() })];
+        }
+        let directions = |sheet| match &line.along {
+            Some(along) => vec![along.clone()],
+            None => self.directions(sheet),
         };
+        self.drawn_so(line, &directions)
+    }
+
+    /// Angles of triangles at which a line by eye was drawn, laid off to the wrong side.
+    pub fn meant_turned_over(&self, line: &Line) -> Vec<Entry> {
+        if line.drawn.is_none() || line.along.is_some() {
+            return Vec::new();
+        }
+        let turned = |direction| match direction {
+            Direction::Turned { turned: [from, to], base } => Some(Direction::Turned { turned: [to, from], base }),
+            _ => None,
+        };
+        self.drawn_so(line, &|sheet| self.directions(sheet).into_iter().filter_map(turned).collect())
+    }
+
+    /// The points and, of some directions, those that the place of a free line allows.
+    fn drawn_so(&self, line: &Line, directions: &dyn Fn(Sheet) -> Vec<Direction>) -> Vec<Entry> {
+        let Some(drawn) = line.drawn else { return Vec::new() };
         let Ok(Made::Line(_, there)) = self.own.carry_out(&Entry::Line(line.clone())) else { return Vec::new() };
         let (sheet, limit) = (there.sheet, self.judge.tolerance());
         let reach = FREE * limit.mm * self.own.scale(sheet);
         let through = |name: &str| line.through.as_deref().is_none_or(|stated| stated == name);
         let near = self.own.places(sheet).filter(|(name, at)| through(name) && there.distance(*at).abs() <= reach);
         let points: Vec<String> = near.map(|(name, _)| name.to_owned()).collect();
-        let directions = match &line.along {
-            Some(along) => vec![along.clone()],
-            None => self.directions(sheet),
-        };
         let mut meant = Vec::new();
-        for along in directions {
+        for along in directions(sheet) {
             let Ok(direction) = self.own.direction(sheet, &along) else { continue };
             let [_, turn] = self.own.off(&DrawnLine { sheet, at: there.at, along: direction }, &drawn);
             if turn <= FREE * limit.degrees {

@@ -2,9 +2,9 @@
 
 use super::says;
 use crate::construction::Rate;
-use crate::construction::{Construction, Extent, PointRole, Solution, construct, image_name};
+use crate::construction::{Construction, Extent, PointRole, Solution, coincident_name, construct, image_name};
 use crate::geometry::{Vector, unit};
-use crate::mechanism::{Mechanism, Role};
+use crate::mechanism::{BodyId, Mechanism, Role};
 use crate::message::Message;
 use crate::quantity::{Quantity, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
@@ -180,30 +180,20 @@ impl Given {
     /// of sliders, and whole ones.
     pub(super) fn vectors(&self, sheet: Sheet) -> Vec<Vector> {
         let Some(order) = sheet.order() else { return Vec::new() };
-        let Solution { mechanism, construction, .. } = &self.solution;
+        let mechanism = self.mechanism();
         let acceleration = order == crate::sheet::Order::Acceleration;
         let heads: &[&str] = if acceleration { &["a", "a_n", "a_t"] } else { &["v"] };
         let mut names = Vec::new();
         for (id, _) in mechanism.links() {
-            let body = mechanism.body(id);
-            let mut points: Vec<&str> = body.points.iter().map(|p| mechanism.point_name(*p)).collect();
-            points.extend(construction.special.iter().filter(|s| s.link == id).map(|s| s.name.as_str()));
-            for a in &points {
+            let points = self.points_of(id);
+            for [a, _] in &points {
                 names.push(format!("{}({a})", heads[0]));
-                for b in points.iter().filter(|b| *b != a) {
+                for [b, _] in points.iter().filter(|[b, _]| b != a) {
                     names.extend(heads.iter().map(|head| format!("{head}({a}/{b})")));
                 }
             }
         }
-        let snapshot = self.solution.snapshot();
-        let value = |name: &String| {
-            let asked = QuantityRequest::new(name, mechanism).ok()?;
-            match asked.value(&snapshot, Some(construction), None).ok()? {
-                Quantity::Vector(v) => Some(v),
-                Quantity::Number(_) => None,
-            }
-        };
-        let mut vectors: Vec<Vector> = names.iter().filter_map(value).collect();
+        let mut vectors: Vec<Vector> = names.iter().filter_map(|name| self.vector(name)).collect();
         for id in mechanism.slider_ids() {
             let (name, guide) = (mechanism.slider_name(id), self.solution.pose.guide(id));
             let size = |head: &str| self.number(&format!("{head}({name})")).unwrap_or(0.0);
@@ -215,6 +205,42 @@ impl Given {
             }
         }
         vectors
+    }
+
+    /// The points of a link: its joints, its special points and those that coincide with what slides on it; each by its name and by that of
+    /// its place on the scheme.
+    pub(super) fn points_of(&self, link: BodyId) -> Vec<[String; 2]> {
+        let (mechanism, body) = (self.mechanism(), self.mechanism().body(link));
+        let joints = body.points.iter().map(|point| mechanism.point_name(*point));
+        let special = self.construction().special.iter().filter(|special| special.link == link);
+        let mut points: Vec<[String; 2]> = joints
+            .chain(special.map(|special| special.name.as_str()))
+            .map(|name| [(); 2].map(|()| name.to_owned()))
+            .collect();
+        for slider in mechanism.sliders.iter().filter(|slider| slider.on == link && !body.has(slider.at)) {
+            let at = mechanism.point_name(slider.at);
+            points.push([coincident_name(at, &body.name), at.to_owned()]);
+        }
+        points
+    }
+
+    /// The parts along x and y of the vectors that the scene gives.
+    pub(super) fn given_parts(&self, sheet: Sheet) -> Vec<Vector> {
+        let Some(order) = sheet.order() else { return Vec::new() };
+        let mechanism = self.mechanism();
+        let head = if order == crate::sheet::Order::Acceleration { "a" } else { "v" };
+        let moving = mechanism.bodies.iter().filter(|b| matches!(b.role, Role::Moving { .. } | Role::Carrier { .. }));
+        let points = moving.flat_map(|body| &body.points);
+        let given = points.filter_map(|point| self.vector(&format!("{head}({})", mechanism.point_name(*point))));
+        given.flat_map(|v| [Vector::new(v.x, 0.0), Vector::new(0.0, v.y)]).collect()
+    }
+
+    fn vector(&self, name: &str) -> Option<Vector> {
+        let asked = QuantityRequest::new(name, self.mechanism()).ok()?;
+        match asked.value(&self.solution.snapshot(), Some(self.construction()), None).ok()? {
+            Quantity::Vector(v) => Some(v),
+            Quantity::Number(_) => None,
+        }
     }
 }
 

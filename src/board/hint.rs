@@ -8,6 +8,7 @@ use super::snap::{Ghost, GhostKind};
 use super::table::{Made, Table};
 use crate::geometry::cross;
 use crate::sheet::Sheet;
+use crate::words::Medium;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -60,7 +61,7 @@ impl Screen {
                 (_, Some(sheet)) => says::next_point(what, crate::words::sheet_told(sheet)),
                 (_, None) => says::next_number(what),
             },
-            _ => entry.told(&self.judge),
+            _ => entry.told(&self.judge, Medium::Figure),
         };
         let ghost = if stage >= STAGES { self.ghost_of(drawing, &entry, &made, &table) } else { Vec::new() };
         BoardHint { words: language.says(&words), sheet, ghost, entry: None }

@@ -2,7 +2,7 @@
 
 use super::file::HandDrawing;
 use super::screen::Screen;
-use super::shown::{BoardNumber, FreeNames, NUMBERS};
+use super::shown::{BoardNumber, FreeNames};
 use super::table::Table;
 use crate::drawing::{RichText, SheetLabels};
 use crate::format::html_text;
@@ -53,7 +53,7 @@ impl Numbers<'_> {
         BoardNumber {
             name: name.to_owned(),
             label: html_text(&label),
-            value: self.screen.words().write(number, NUMBERS),
+            value: self.screen.figures(number),
             unit: self.screen.unit_of(name, entry.map(|index| &self.drawing.did[index]), self.table),
             entry,
         }

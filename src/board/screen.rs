@@ -15,10 +15,11 @@ use crate::drawing::{
 };
 use crate::format::html_text;
 use crate::geometry::{Vector, cross};
-use crate::quantity::{QuantityRequest, What, readable_names};
+use crate::mechanism::{GROUND, Mechanism};
+use crate::quantity::{QuantityRequest, Spot, What, readable_names};
 use crate::scene::QuantityName;
 use crate::sheet::{PerSheet, Scales, Sheet};
-use crate::words::Wording;
+use crate::words::{Medium, Wording};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 
@@ -282,6 +283,9 @@ impl Screen {
                 continue;
             }
             let Ok(asked) = QuantityRequest::new(&name, given.mechanism()) else { continue };
+            if is_at_rest(&asked, given.mechanism()) {
+                continue;
+            }
             let is_made = made.contains(&name.as_str());
             let label = html_text(&labels.quantity(&asked));
             let is_turning = matches!(asked.what, What::Rate(Rate::Angular(..)));
@@ -296,7 +300,7 @@ impl Screen {
         let language = self.words.language;
         let mut makers = BTreeMap::new();
         let told = |(index, entry): (usize, &Entry)| {
-            let mut words = language.says(&entry.told(&self.judge));
+            let mut words = language.says(&entry.told(&self.judge, Medium::Figure));
             let (mut sheet, mut needs) = (None, Vec::new());
             let is_carried_out = stands[index] && refused.is_none_or(|refused| index < refused.entry);
             if let (true, Ok(made)) = (is_carried_out, table.carry_out_by_hand(entry)) {
@@ -321,9 +325,14 @@ impl Screen {
         drawing.did.iter().enumerate().map(told).collect()
     }
 
+    /// A number as it stands beside the sheets.
+    pub(super) fn figures(&self, number: f64) -> String {
+        self.words.write(number, NUMBERS).replace('-', "−")
+    }
+
     /// A number with its unit.
     fn value(&self, number: f64, unit: &str) -> String {
-        format!("{} {unit}", self.words.write(number, NUMBERS)).trim_end().to_owned()
+        format!("{} {unit}", self.figures(number)).trim_end().to_owned()
     }
 
     /// The unit of a number by its name; one of the hand's own has that of the sheet on which it was measured, or none.
@@ -405,6 +414,12 @@ impl Screen {
         let note = self.free_hand(drawing);
         hand_sheets(&self.judge.given().solution, &hands, &scales.map(Some), name, note.as_deref())
     }
+}
+
+/// Whether a quantity is the motion of a place of the ground, which nobody has to find.
+fn is_at_rest(asked: &QuantityRequest, mechanism: &Mechanism) -> bool {
+    let What::Motion(_, Spot::Point(body, point, _), None) = &asked.what else { return false };
+    [*body, GROUND].iter().all(|fixed| mechanism.body(*fixed).points.contains(point)) || *body == GROUND
 }
 
 fn look(verdict: &Verdict) -> HandLook {

@@ -50,6 +50,10 @@ impl Slip<'_, '_> {
                 _ => tell::reversed_vector(from, to),
             });
         }
+        let diameter = self.diameter(&laid.size, name, ratio);
+        if diameter.is_some() {
+            return diameter;
+        }
         let formula = || self.formula(&laid.size, name, meant.norm() * sign);
         let factor = || self.factor(name, Some(&laid.size), ratio * meant.norm(), meant.norm());
         let told = if laid.size.has_numbers() { factor().or_else(formula) } else { formula().or_else(factor) };
@@ -97,19 +101,19 @@ impl Slip<'_, '_> {
         let given = self.table.given;
         let mechanism = given.mechanism();
         let [from, to] = [Blank::from(laid.from.as_str()), Blank::from(name)];
-        let pairs = mechanism.links().flat_map(|(id, body)| {
-            let names: Vec<String> = body.points.iter().map(|p| mechanism.point_name(*p).to_owned()).collect();
-            let ends = names.clone();
-            names.into_iter().flat_map(move |a| ends.clone().into_iter().map(move |b| (id, a.clone(), b)))
+        let pairs = mechanism.links().flat_map(|(id, _)| {
+            let points = given.points_of(id);
+            let ends = points.clone();
+            points.into_iter().flat_map(move |a| ends.clone().into_iter().map(move |b| (id, a.clone(), b)))
         });
-        for (id, a, b) in pairs.filter(|(_, a, b)| sheet == Sheet::Acceleration && a != b) {
+        for (id, [a, at], [b, end]) in pairs.filter(|(_, a, b)| sheet == Sheet::Acceleration && a != b) {
             let part = given.number(&format!("a_n({a}/{b})")).unwrap_or(0.0);
             if !self.is_same(part, right) || part == 0.0 {
                 continue;
             }
-            let length = given.number(&format!("L({a},{b})"))?;
+            let length = (given.place(Sheet::Scheme, &at)? - given.place(Sheet::Scheme, &end)?).norm();
             let link = &mechanism.body(id).name;
-            let [rate, arm] = [format!("omega({link})"), format!("L({a},{b})")].map(Blank::Symbol);
+            let [rate, arm] = [format!("omega({link})"), format!("L({at},{end})")].map(Blank::Symbol);
             let omega = given.number(&format!("omega({link})"))?.abs();
             if self.is_same(found, omega * length) {
                 return Some(tell::omega_not_squared(from, to, rate, arm));
@@ -139,7 +143,9 @@ impl Slip<'_, '_> {
     /// The point at a place, from which a vector should have been laid off.
     fn other_start(&self, sheet: Sheet, at: Vector) -> Option<&str> {
         let near = self.tolerance.max(1e-6) * self.table.given.size(sheet);
-        self.table.given.places(sheet).find(|(_, place)| (place - at).norm() <= near).map(|(name, _)| name)
+        let all = self.table.given.places(sheet).chain(self.table.places(sheet));
+        let mut there = all.filter(|(_, place)| (place - at).norm() <= near);
+        there.next().map(|(name, _)| name)
     }
 
     /// The vector of the construction that leads to a point, and where it begins.

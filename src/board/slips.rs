@@ -3,6 +3,7 @@
 
 use super::file::{Compute, Entry, LayOff, Measure, Solve};
 use super::formula::Formula;
+use super::free_hand::FREE;
 use super::table::{Made, Table};
 use crate::check::Told;
 use crate::check::tell;
@@ -11,6 +12,7 @@ use crate::geometry::Vector;
 use crate::quantity::QuantityRequest;
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
+use std::collections::BTreeMap;
 
 /// An operation in the scene with right inputs, and what it should have made.
 pub(super) struct Slip<'s, 'g> {
@@ -24,6 +26,8 @@ pub(super) struct Slip<'s, 'g> {
     pub right: Made,
     /// What numbers may differ by, in parts: typed ones have three digits or more.
     pub tolerance: f64,
+    /// What the hand's own names of segments and lengths mean.
+    pub measured: BTreeMap<String, (Sheet, [String; 2])>,
 }
 
 impl Slip<'_, '_> {
@@ -82,7 +86,13 @@ impl Slip<'_, '_> {
         let name = &measure.measure;
         let [from, to] = [table.place(sheet, &measure.from)?, table.place(sheet, &measure.to)?];
         let (run, drawn) = (to - from, (to - from).norm());
-        let near = |x: f64| (x.abs() - read.abs()).abs() <= 0.02 * drawn.min(x.abs());
+        // What a hand reads is off by a part of a millimetre.
+        let off = FREE * 0.3 * table.scale(sheet);
+        let near = |x: f64| {
+            let near = (0.02 * drawn.min(x.abs())).max(off.min(0.2 * (drawn - x.abs())));
+            (x.abs() - read.abs()).abs() <= near
+        };
+        let reading = (off / drawn).clamp(0.012, 0.05);
         let [start, end] = [&measure.from, &measure.to].map(|end| Blank::from(end.as_str()));
         let quantity = Blank::Quantity(name.clone());
         if near(run.x) {
@@ -91,7 +101,7 @@ impl Slip<'_, '_> {
         if near(run.y) {
             return Some(tell::component(quantity, Blank::Vertical, start, end));
         }
-        written_otherwise(name, read, drawn, 0.012)
+        written_otherwise(name, read, drawn, reading)
     }
 
     fn computed(&self, compute: &Compute, (name, found): &(String, f64), right: f64) -> Option<Told> {
@@ -100,6 +110,10 @@ impl Slip<'_, '_> {
             self.is_same(*found, -right) || (self.tolerance > 1e-3 && (found + right).abs() < 0.1 * right.abs());
         if is_turned && (is_rate || name.starts_with("v_r") || name.starts_with("a_r")) {
             return Some(tell::wrong_sense(Blank::Symbol(name.clone())));
+        }
+        let diameter = compute.by.as_ref().and_then(|by| self.diameter(by, name, found / right));
+        if diameter.is_some() {
+            return diameter;
         }
         let factor = || self.factor(name, compute.by.as_ref(), *found, right);
         let of_formula = || compute.by.as_ref().and_then(|by| self.formula(by, name, right));
@@ -233,7 +247,7 @@ impl Slip<'_, '_> {
         is_meant: &dyn Fn(&str) -> bool,
     ) -> Option<Told> {
         formulas.iter().flat_map(|formula| formula.names()).find_map(|own| {
-            let (sheet, ends) = super::reads::segment_of(own)?;
+            let (sheet, ends) = super::reads::segment_of(own).or_else(|| self.measured.get(own).cloned())?;
             let all = match sheet.order() {
                 None => lengths(self.table),
                 Some(order) => segments(self.table, order),
@@ -268,6 +282,24 @@ impl Slip<'_, '_> {
             }
         }
         written_otherwise(name, found, right, self.tolerance)
+    }
+
+    /// A normal part of a link that is not driven, with the diameter in place of the radius.
+    pub(super) fn diameter(&self, formula: &Formula, name: &str, ratio: f64) -> Option<Told> {
+        let names = formula.names();
+        let rate = names.iter().find(|name| name.starts_with("omega("))?;
+        let length = names.iter().find(|name| name.starts_with("L("))?;
+        let is_squared = formula.has_power() || names.iter().filter(|name| *name == rate).count() == 2;
+        let is_driven = || {
+            let mechanism = self.table.given.mechanism();
+            let mut driven = mechanism.links().filter(|(id, _)| mechanism.is_known(*id));
+            driven.any(|(_, body)| format!("omega({})", body.name) == **rate)
+        };
+        let is_twice = formula.has_numbers() && (ratio.abs() - 2.0).abs() <= 1e-6;
+        (is_squared && is_twice && !is_driven()).then(|| {
+            let [rate, length] = [rate, length].map(|name| Blank::Symbol((*name).to_owned()));
+            tell::diameter(self.start_of(name), name.into(), rate, length)
+        })
     }
 
     /// The first rate that the scene gives.
@@ -322,6 +354,13 @@ fn written_otherwise(name: &str, found: f64, right: f64, tolerance: f64) -> Opti
             return Some(tell::decimal_slipped(quantity(), number(found), number(right)));
         }
     }
+    digits_transposed(name, found, right, tolerance.max(0.006))
+}
+
+/// A number with two digits in each other's place.
+pub(super) fn digits_transposed(name: &str, found: f64, right: f64, tolerance: f64) -> Option<Told> {
+    let near = |a: f64, b: f64| (a - b).abs() <= tolerance * b.abs();
+    let number = |x: f64| Blank::Number(crate::format::json(&rounded(x.copysign(found))).trim().to_owned());
     let text: Vec<char> = found.abs().to_string().chars().take(12).collect();
     for at in 0..text.len().saturating_sub(1) {
         if !(text[at].is_ascii_digit() && text[at + 1].is_ascii_digit()) || text[at] == text[at + 1] {
@@ -332,7 +371,7 @@ fn written_otherwise(name: &str, found: f64, right: f64, tolerance: f64) -> Opti
         let meant: f64 = other.iter().collect::<String>().parse().unwrap_or(f64::NAN);
         // Exchanged digits far behind change less than a hand's errors do.
         if near(meant, right.abs()) && !near(found.abs(), right.abs()) {
-            return Some(tell::digits_transposed(quantity(), number(found), number(meant)));
+            return Some(tell::digits_transposed(Blank::Quantity(name.to_owned()), number(found), number(meant)));
         }
     }
     None

@@ -38,6 +38,8 @@ pub struct Snapped {
     pub at: [f64; 2],
     /// What would be drawn.
     pub ghost: Vec<Ghost>,
+    /// The direction that it gives, in degrees from +x; none of what gives none.
+    pub direction: Option<f64>,
 }
 
 /// Something that is not drawn yet.
@@ -163,7 +165,7 @@ impl Press<'_> {
     fn snapped(&self, entry: Map<String, Json>, words: String, at: [f64; 2]) -> Snapped {
         let made = self.made(&entry);
         let ghost = made.iter().flat_map(|made| self.ghost(&entry, made)).collect();
-        Snapped { is_whole: made.is_some(), entry, words, at, ghost }
+        Snapped { is_whole: made.is_some(), entry, words, at, ghost, direction: None }
     }
 
     /// What an entry makes, with any name where it has none.
@@ -240,6 +242,8 @@ impl Press<'_> {
             let (distance, at) = self.segment_off(&ends);
             if distance <= self.pressed.reach {
                 let mut snapped = self.snapped(self.entry("along", self.along(&name)), words, at);
+                let [[x, y], [to_x, to_y]] = ends;
+                snapped.direction = Some(crate::geometry::degrees_of(Vector::new(to_x - x, y - to_y)));
                 if how != "turned" {
                     snapped.ghost.push(square(&ends, at, how == "normal"));
                 }
@@ -369,7 +373,7 @@ impl Press<'_> {
             let mut entry = self.pressed.has.clone();
             entry.insert("rub".to_owned(), json!(name));
             entry.insert("on".to_owned(), json!(sheet));
-            (distance, Snapped { entry, is_whole: true, words, at, ghost: vec![ghost] })
+            (distance, Snapped { entry, is_whole: true, words, at, ghost: vec![ghost], direction: None })
         };
         let is_drawn = |name: &str| self.screen.judge.given().there().all(|(on, own, _)| (on, own) != (sheet, name));
         let points = self.table.places(sheet).filter(|(name, _)| is_drawn(name)).map(|(name, place)| {

@@ -5,7 +5,7 @@ use super::file::{Compute, Cross, Entry, HandDrawing, Join, LayOff, Like, Line, 
 use super::judge::{Judge, JudgedDrawing, Verdict, Wrong};
 use super::says;
 use crate::message::Message;
-use crate::words::Wording;
+use crate::words::{Medium, Wording};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -88,27 +88,27 @@ impl VerdictName {
 }
 
 impl Entry {
-    /// What it does, as a sentence.
+    /// What it does, as a sentence in this kind of text.
     #[must_use]
-    pub fn told(&self, judge: &Judge) -> Message {
+    pub fn told(&self, judge: &Judge, medium: Medium) -> Message {
         let list = |all: &[String], between| Message::list(all.iter().map(Message::from), between);
         match self {
             Entry::Join(Join { join, points, .. }) => says::join(join, &points[0], &points[1]),
             Entry::Line(Line { line, through: Some(through), along: Some(along), .. }) => {
-                says::line(line, through, along.told(judge))
+                says::line(line, through, along.told(judge, medium))
             }
             Entry::Line(Line { line, .. }) => says::line_by_eye(line),
             Entry::Cross(Cross { cross, of, .. }) => says::cross(cross, &of[0], &of[1]),
             Entry::LayOff(LayOff { lay_off, from, size, along, .. }) => {
-                says::lay_off(lay_off, from, size.text(), along.told(judge))
+                says::lay_off(lay_off, from, size.written(medium), along.told(judge, medium))
             }
             Entry::Like(Like { like, ends, points, .. }) => says::like(like, list(ends, ""), list(points, "")),
             Entry::Mark(Mark { mark, .. }) => says::mark(mark),
             Entry::Measure(Measure { measure, from, to, .. }) => says::measure(measure, from, to),
             Entry::Compute(Compute { compute, by, value, sense }) => {
                 let told = match (by, value) {
-                    (Some(formula), _) => says::compute(compute, formula.text()),
-                    (None, value) => says::typed(compute, value.unwrap_or(0.0)),
+                    (Some(formula), _) => says::compute(compute, formula.written(medium)),
+                    (None, value) => says::typed(compute, written(value.unwrap_or(0.0), medium)),
                 };
                 let sense = sense.map(|sense| if sense.sign() > 0.0 { says::ccw() } else { says::cw() });
                 Message::list(std::iter::once(told).chain(sense), ", ")
@@ -119,8 +119,16 @@ impl Entry {
     }
 }
 
+/// A number as somebody typed it.
+fn written(number: f64, medium: Medium) -> String {
+    match medium {
+        Medium::Text => number.to_string(),
+        Medium::Figure => number.to_string().replace('-', "−"),
+    }
+}
+
 impl Direction {
-    fn told(&self, judge: &Judge) -> Message {
+    fn told(&self, judge: &Judge, medium: Medium) -> Message {
         let to = |name: &str| {
             let mechanism = judge.given().mechanism();
             if mechanism.link(name).is_some() {
@@ -137,7 +145,7 @@ impl Direction {
             Direction::Parallel { parallel } => says::parallel(to(parallel)),
             Direction::Normal { normal } => says::normal(to(normal)),
             Direction::Turned { turned, base } => says::turned(to(base), to(&turned[0]), to(&turned[1])),
-            Direction::Angle { angle } => says::angle(*angle),
+            Direction::Angle { angle } => says::angle(written(*angle, medium)),
         }
     }
 }
@@ -150,7 +158,7 @@ impl JudgedDrawing {
         let entries = self.verdicts.iter().zip(&drawing.did).enumerate().map(|(index, (verdict, entry))| {
             let mut told = EntryResult {
                 index,
-                does: language.says(&entry.told(judge)),
+                does: language.says(&entry.told(judge, Medium::Text)),
                 verdict: verdict.name(),
                 says: None,
                 mistake: None,

@@ -13,6 +13,9 @@ const REACH = { touch: 22, pen: 10, mouse: 12 };
 /** A finger that rests so long, in ms, sees what it touches. */
 const HOLD = 280;
 
+/** Directions that differ by less, in degrees, are one. */
+const SAME_DIRECTION = 0.01;
+
 /** Points nearer to each other, in pixels, are not told apart by a hand: it is asked which is meant. */
 const CLOSE = 5;
 
@@ -22,6 +25,32 @@ type By = Press["by"];
 function together(all: readonly Snapped[], near: number): Snapped[] {
   const away = (one: Snapped, other: Snapped): number => Math.hypot(one.at[0] - other.at[0], one.at[1] - other.at[1]);
   return all.filter((one, index) => away(one, all[0]!) < near && all.slice(0, index).every((other) => away(one, other) > 1e-6));
+}
+
+/** Directions that a press so near to each of them may have meant: those that lie alike, as parts of a straight link, are one. A vector has a sense, too. */
+function unlike(all: readonly Snapped[], at: Place, near: number, turn: number): Snapped[] {
+  const off = (one: Snapped): number => Math.hypot(one.at[0] - at[0], one.at[1] - at[1]);
+  const isAlike = (one: Snapped, other: Snapped): boolean => {
+    const between = Math.abs((one.direction ?? 0) - (other.direction ?? 0)) % turn;
+    return Math.min(between, turn - between) < SAME_DIRECTION;
+  };
+  const there = all.filter((one) => off(one) < off(all[0]!) + near);
+  return there.filter((one, index) => there.slice(0, index).every((other) => !isAlike(one, other)));
+}
+
+/** What a press may have meant as well as the nearest thing, that among them. */
+export function meantBy(model: Model, all: readonly Snapped[], at: Place, reach: number, scale: number): Snapped[] {
+  const { takes } = lacking(model.tool.value, model.has.value) ?? {};
+  if (all.length < 2) return [...all];
+  if (takes === "point" || takes === "scheme") return together(all, CLOSE / scale);
+  return takes === "direction" ? unlike(all, at, reach / 2, model.tool.value === "lay_off" ? 360 : 180) : all.slice(0, 1);
+}
+
+/** Asks which of several things a press has meant. */
+export function askWhich(model: Model, meant: readonly Snapped[]): void {
+  model.between.set(meant);
+  const isDirection = meant[0]?.direction !== null;
+  model.says.set({ text: say(isDirection ? "which_direction" : "which_of", { count: meant.length }), isBad: false });
 }
 
 /** What is possible at a place, the nearest first. */
@@ -39,8 +68,11 @@ export function hands(app: App, model: Model, stages: readonly Stage[]): void {
 
   const near = (stage: Stage, by: By): number => REACH[by] / stage.view.now.value.scale;
   const aiming = newest(async ({ stage, at, by }: NonNullable<typeof aim>) => {
-    const [snap] = await snaps(app, model, stage, at, near(stage, by));
-    if (aim?.stage === stage) stage.aim(snap ?? null);
+    const all = await snaps(app, model, stage, at, near(stage, by));
+    const [snap] = all;
+    // Where several are meant, all are said.
+    const meant = meantBy(model, all, at, near(stage, by), stage.view.now.value.scale);
+    if (aim?.stage === stage) stage.aim(snap === undefined ? null : { ...snap, words: meant.map(({ words }) => words).join(" · ") });
     if (by === "touch" && aim?.stage === stage) stage.loupe.show(snap?.at ?? at);
   });
 
@@ -60,11 +92,9 @@ export function hands(app: App, model: Model, stages: readonly Stage[]): void {
       const [snap] = all;
       stage.aim(null);
       if (snap === undefined || (isBeginning && snap.is_whole)) return;
-      const { takes } = lacking(model.tool.value, model.has.value) ?? {};
-      const meant = takes === "point" || takes === "scheme" ? together(all, CLOSE / stage.view.now.value.scale) : [];
+      const meant = meantBy(model, all, at, near(stage, by), stage.view.now.value.scale);
       if (meant.length < 2) return void (await model.take(snap));
-      model.between.set(meant);
-      model.says.set({ text: say("which_of", { count: meant.length }), isBad: false });
+      askWhich(model, meant);
     });
 
   /** The sheet under a place of one: what is picked up on the scheme is put down on a plan. */

@@ -1,7 +1,7 @@
 /** Keys on the sheets: letters choose tools, N goes from one possible thing to the next, arrows move a cross, Enter is a press. */
 import type { App } from "../app.ts";
 import { called, PLANS, type Sheet } from "../sheets.ts";
-import { snaps } from "./hands.ts";
+import { askWhich, meantBy, snaps } from "./hands.ts";
 import type { Model } from "./model.ts";
 import type { Place, Stage } from "./stage.ts";
 import { HOWS, howOf, KEY_OF, lacking, slotsOf, TOOLS } from "./tools.ts";
@@ -80,9 +80,17 @@ export function keys(app: App, model: Model, stages: readonly Stage[], toStrip: 
   async function press(stage: Stage): Promise<void> {
     const { snap: chosen } = round.all[round.at] ?? {};
     const isOn = chosen !== undefined && stage.cursor !== null && chosen.at[0] === stage.cursor[0] && chosen.at[1] === stage.cursor[1];
-    const snap = isOn ? chosen : (await snaps(app, model, stage, stage.cursor ?? middle(stage), NEAR))[0];
+    const at = stage.cursor ?? middle(stage);
+    const all = isOn ? [chosen] : await snaps(app, model, stage, at, NEAR);
+    const [snap] = all;
     round = { of: "", all: [], at: -1 };
     stage.aim(null);
+    const meant = meantBy(model, all, at, NEAR, stage.view.now.value.scale);
+    if (meant.length > 1) {
+      askWhich(model, meant);
+      app.speak(model.says.value.text);
+      return toStrip();
+    }
     if (snap === undefined) return app.speak(say("nothing_here"));
     if (!(await model.take(snap))) await goOn(stage, snap.words);
   }

@@ -156,10 +156,16 @@ export function strip(model: Model, back: () => void): Strip {
     const known = model.known.value;
     if (known === null) return;
     if (model.between.value.length > 0) {
-      chips.setAttribute("aria-label", say("slot_point"));
+      chips.setAttribute("aria-label", say(model.between.value[0]!.direction === null ? "slot_point" : "slot_direction"));
       return chips.replaceChildren(...model.between.value.map((snap) => {
+        const take = (): void => void model.inTurn(async () => {
+          await model.take(snap);
+          if (fromSheet) back();
+          fromSheet = false;
+        });
+        if (snap.direction !== null) return pressed(chipOf(snap.words, "", snap.words), take);
         const label = known.things.find(({ kind, name }) => kind === "point" && name === snap.words)?.label ?? "";
-        return pressed(chipOf(snap.words, label, ""), () => void model.inTurn(() => model.take(snap)));
+        return pressed(chipOf(snap.words, label, ""), take);
       }));
     }
     const entry = model.has.value;
@@ -180,9 +186,9 @@ export function strip(model: Model, back: () => void): Strip {
     // A formula is written by presses alone, too.
     const isFormula = (slot.takes === "formula" || slot.takes === "formulas") && slot.get(entry) !== "";
     const sign = ([written, shown]: readonly [string, string]): HTMLButtonElement => pressed(element("button", { type: "button", class: "sign", "data-sign": written }, shown), (isFinger) => put(slot, written, isFinger));
-    const back = pressed(element("button", { type: "button", class: "sign", "data-sign": "back", "aria-label": say("sign_back"), title: say("sign_back") }, "⌫"), (isFinger) => put(slot, "", isFinger));
+    const takesBack = pressed(element("button", { type: "button", class: "sign", "data-sign": "back", "aria-label": say("sign_back"), title: say("sign_back") }, "⌫"), (isFinger) => put(slot, "", isFinger));
     const signs = slot.takes === "formulas" ? EQUATION_SIGNS : SIGNS;
-    chips.replaceChildren(...(isFormula ? [...signs.map(sign), ...numbers, ...MORE_SIGNS.map(sign), back] : numbers));
+    chips.replaceChildren(...(isFormula ? [...signs.map(sign), ...numbers, ...MORE_SIGNS.map(sign), takesBack] : numbers));
   }
 
   /** `label` is the engine's HTML. */
@@ -267,15 +273,16 @@ export function strip(model: Model, back: () => void): Strip {
     root,
     focusWritten() {
       const next = lacking(model.tool.value, model.has.value);
-      if (next !== undefined && WRITTEN.includes(next.takes)) own.focus();
+      if (model.between.value.length > 0 || (next !== undefined && WRITTEN.includes(next.takes))) own.focus();
     },
     focus() {
       fromSheet = root.parentElement?.querySelector(".over:focus") !== null;
       const next = lacking(model.tool.value, model.has.value);
       const box = next === undefined ? draw : boxes.get(next.blank);
       offer();
-      // A name or a sense is chosen from what is offered.
-      const chip = next?.takes === "point_name" || model.wantsSense.value ? chips.querySelector("button") : null;
+      // A name, a sense or one of several things is chosen from what is offered.
+      const isChosen = next?.takes === "point_name" || model.wantsSense.value || model.between.value.length > 0;
+      const chip = isChosen ? chips.querySelector("button") : null;
       (chip ?? box)?.focus();
     },
   };

@@ -1249,6 +1249,10 @@ export interface Snapped {
    * What would be drawn.
    */
   ghost: Ghost[];
+  /**
+   * The direction that it gives, in degrees from +x; none of what gives none.
+   */
+  direction: number | null;
 }
 /**
  * Something that is not drawn yet.
