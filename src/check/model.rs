@@ -4,8 +4,8 @@ use super::entry::Entry;
 use super::measured::{AnswerKey, CheckError};
 use super::says;
 use crate::construction::{
-    Along, Change, Construction, Disturbance, LineId, NumberId, Operation, OperationKind, OperationRole, PlaceId, Reference,
-    Solution, Tolerance, Values,
+    Along, Change, Construction, Disturbance, LineId, NumberId, Operation, OperationKind, OperationRole, PlaceId,
+    Reference, Solution, Tolerance, Values,
 };
 use crate::geometry::{Vector, unit};
 use crate::mechanism::{GROUND, Mechanism, PointId};
@@ -261,7 +261,9 @@ fn given_first(operations: &mut [Operation]) {
             {
                 Some(line)
             }
-            OperationKind::Join { line, from, towards } if plotted.contains(&from) && plotted.contains(&towards) => Some(line),
+            OperationKind::Join { line, from, towards } if plotted.contains(&from) && plotted.contains(&towards) => {
+                Some(line)
+            }
             _ => None,
         })
         .collect();

@@ -6,8 +6,8 @@
 
 use super::measured::{CheckError, UNDER_SLIDER};
 use super::says;
-use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
 use crate::centers::LinkPair;
+use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
 use crate::mechanism::GROUND;
 use crate::quantity::{Pole, QuantityError, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
@@ -289,7 +289,8 @@ impl<'a> Names<'a> {
         let Some((parts, sheet)) = between(written) else {
             return self.usual_center(written).unwrap_or_else(|| written.to_owned());
         };
-        let ends = parts.arguments.iter().map(|end| self.usual_center(end).unwrap_or_else(|| self.usual_point(sheet, end)));
+        let ends =
+            parts.arguments.iter().map(|end| self.usual_center(end).unwrap_or_else(|| self.usual_point(sheet, end)));
         parts.with_arguments(ends.collect()).to_string()
     }
 

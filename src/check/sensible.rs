@@ -70,7 +70,9 @@ fn size(key: &AnswerKey<'_>, sheet: Sheet) -> f64 {
     let construction = &key.solution.construction;
     match construction.plan_on(sheet) {
         Some(plan) => span(plan.points.values().map(|point| point.vector.into())),
-        None if sheet == Sheet::Scheme || sheet == Sheet::Centers && construction.centers.is_some() => span(key.solution.pose.points.iter().copied()),
+        None if sheet == Sheet::Scheme || sheet == Sheet::Centers && construction.centers.is_some() => {
+            span(key.solution.pose.points.iter().copied())
+        }
         None => 0.0,
     }
 }

@@ -2,6 +2,8 @@
 
 use super::cut::SpecialId;
 use super::kennedy::{CenterId, CenterLine, Centers, FigureOf};
+use super::lever::LeverStep;
+use super::polygon::ForceStep;
 use crate::centers::LinkPair;
 use crate::geometry::Vector;
 use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
@@ -113,6 +115,10 @@ pub enum Action {
     },
     /// Lay off the velocity of a point, normal to its ray from the centre of its link: index among the velocities by centres.
     VelocityByCenters(usize),
+    /// Something of the force plan.
+    Force(ForceStep),
+    /// Something of a lever.
+    Lever(LeverStep),
     /// There is no construction by two rays: names of the special points at infinity, where these are the reason; else
     /// none.
     NoConstruction(Vec<String>),
@@ -168,7 +174,9 @@ impl NumberedStep<'_> {
             Action::PermanentCenters
             | Action::CenterLine { .. }
             | Action::LeaveOut { .. }
-            | Action::CentersByRates(_) => Vec::new(),
+            | Action::CentersByRates(_)
+            | Action::Force(_)
+            | Action::Lever(_) => Vec::new(),
             action => {
                 let image = self.plan.zip(action.image());
                 image.map(|(plan, point)| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()

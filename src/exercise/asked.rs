@@ -65,7 +65,9 @@ impl<'a> Ends<'a> {
             What::Segment(order, [from, to]) => {
                 Some(Ends { sheet: order.sheet(), to, is_from_pole: from == order.pole() })
             }
-            What::Length(_, to) if asked.sheet() == Sheet::Scheme => Some(Ends { sheet: Sheet::Scheme, to: to.name(), is_from_pole: false }),
+            What::Length(_, to) if asked.sheet() == Sheet::Scheme => {
+                Some(Ends { sheet: Sheet::Scheme, to: to.name(), is_from_pole: false })
+            }
             _ => None,
         }
     }

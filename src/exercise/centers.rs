@@ -43,10 +43,12 @@ pub(super) fn are_clear(solution: &Solution, scales: &Scales) -> Result<(), Refu
     if !shows_centers(solution) {
         return Err(Refusal::CenterFar);
     }
-    let places = || centers.all.iter().filter_map(|center| match (center.spot, center.place) {
-        (Spot::At(id), Place::At(place)) => Some((id, place)),
-        _ => None,
-    });
+    let places = || {
+        centers.all.iter().filter_map(|center| match (center.spot, center.place) {
+            (Spot::At(id), Place::At(place)) => Some((id, place)),
+            _ => None,
+        })
+    };
     for (id, place) in places() {
         if places().any(|(other, at)| other != id && (at - place).norm() < APART * mu) {
             return Err(Refusal::CentersClose);

@@ -55,7 +55,7 @@ pub(super) fn carried(mechanism: &Mechanism, posed: &impl Posed, acting: Vec<Act
 }
 
 /// The driven bodies, those that others push after those that they push.
-fn driven(mechanism: &Mechanism) -> Vec<BodyId> {
+pub(crate) fn driven(mechanism: &Mechanism) -> Vec<BodyId> {
     let from_frame = |body: &BodyId| {
         let root = mechanism.body(mechanism.root(*body));
         matches!(root.role, Role::Ground | Role::Driver { .. }) && *body != GROUND
@@ -76,7 +76,7 @@ fn driven(mechanism: &Mechanism) -> Vec<BodyId> {
 }
 
 /// The joint by which a driven body hangs on that which drives it.
-fn own_joint(mechanism: &Mechanism, body: BodyId) -> Option<JointId> {
+pub(crate) fn own_joint(mechanism: &Mechanism, body: BodyId) -> Option<JointId> {
     match mechanism.body(body).role {
         Role::Pushed { slider, .. } => Some(mechanism.slider_joint(slider)),
         Role::Driver { pivot, .. } => {

@@ -30,6 +30,9 @@ mod power;
 
 pub use acting::Source;
 pub use carried::{Agreement, Drive, Forces};
+pub(crate) use equilibrium::{driven, own_joint};
+pub use power::Driven;
+pub(crate) use power::lever_states;
 
 use crate::geometry::{Ball, Pair};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};

@@ -1,11 +1,11 @@
 //! How quantities are read from a hand drawing.
 
 use super::name::{AccelerationPart, Pole, PoleOf, QuantityRequest, Spot, What};
-use crate::construction::{
-    Along, CenterId, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole,
-    PlaceId, Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
-};
 use crate::construction::Spot as DrawnAt;
+use crate::construction::{
+    Along, CenterId, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId,
+    Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
+};
 use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::scene::{Component, QuantityName};
 use crate::sheet::{Order, Sheet};

@@ -27,7 +27,8 @@ fn form(values: &Value) -> Measured {
 fn a_figure_of_centres_asks_for_them_and_no_plan() {
     let solution = with_figure("four-bar", json!({ "panels": ["scheme", "centers"], "velocities": ["C"] }));
     let [first, second] = [["P(2,ground).x", "P(2,ground).y"], ["P(1,3).x", "P(1,3).y"]];
-    let velocity = ["L(P(1,ground),P(1,3))", "L(P(3,ground),P(1,3))", "omega(3)", "L(P(3,ground),C)", "v(C).size", "v(C).angle"];
+    let velocity =
+        ["L(P(1,ground),P(1,3))", "L(P(3,ground),P(1,3))", "omega(3)", "L(P(3,ground),C)", "v(C).size", "v(C).angle"];
     assert_eq!(names(&solution), [&first[..], &second[..], &velocity[..]].concat());
 }
 

@@ -3449,7 +3449,19 @@ export const sheets = {
     "centers_panel": "Instant centres",
     "centers_name": "figure of instant centres",
     "centers_title": "Instant centres",
-    "centers_from": "From the centres"
+    "centers_from": "From the centres",
+    "forces_short": "Forces",
+    "forces_scaled": "Forces",
+    "forces_panel": "Force plan",
+    "forces_name": "force plan",
+    "forces_title": "Force plan",
+    "forces_from": "From the force plan",
+    "lever_short": "Lever",
+    "lever_scaled": "Lever",
+    "lever_panel": "Lever",
+    "lever_name": "lever",
+    "lever_title": "Lever",
+    "lever_from": "From the lever"
   },
   "es": {
     "scheme_short": "Esquema",
@@ -3475,7 +3487,19 @@ export const sheets = {
     "centers_panel": "Centros instantáneos",
     "centers_name": "figura de centros instantáneos",
     "centers_title": "Centros instantáneos",
-    "centers_from": "De los centros"
+    "centers_from": "De los centros",
+    "forces_short": "Fuerzas",
+    "forces_scaled": "Fuerzas",
+    "forces_panel": "Plano de fuerzas",
+    "forces_name": "plano de fuerzas",
+    "forces_title": "Plano de fuerzas",
+    "forces_from": "Del plano de fuerzas",
+    "lever_short": "Palanca",
+    "lever_scaled": "Palanca",
+    "lever_panel": "Palanca",
+    "lever_name": "palanca",
+    "lever_title": "Palanca",
+    "lever_from": "De la palanca"
   },
   "de": {
     "scheme_short": "Lageplan",
@@ -3501,7 +3525,19 @@ export const sheets = {
     "centers_panel": "Momentanpole",
     "centers_name": "Figur der Momentanpole",
     "centers_title": "Momentanpole",
-    "centers_from": "Aus den Polen"
+    "centers_from": "Aus den Polen",
+    "forces_short": "Kräfte",
+    "forces_scaled": "Kräfte",
+    "forces_panel": "Kräfteplan",
+    "forces_name": "Kräfteplan",
+    "forces_title": "Kräfteplan",
+    "forces_from": "Aus dem Kräfteplan",
+    "lever_short": "Hebel",
+    "lever_scaled": "Hebel",
+    "lever_panel": "Hebel",
+    "lever_name": "Hebel",
+    "lever_title": "Hebel",
+    "lever_from": "Aus dem Hebel"
   },
   "pt": {
     "scheme_short": "Esquema",
@@ -3527,7 +3563,19 @@ export const sheets = {
     "centers_panel": "Centros instantâneos",
     "centers_name": "figura de centros instantâneos",
     "centers_title": "Centros instantâneos",
-    "centers_from": "Dos centros"
+    "centers_from": "Dos centros",
+    "forces_short": "Forças",
+    "forces_scaled": "Forças",
+    "forces_panel": "Plano de forças",
+    "forces_name": "plano de forças",
+    "forces_title": "Plano de forças",
+    "forces_from": "Do plano de forças",
+    "lever_short": "Alavanca",
+    "lever_scaled": "Alavanca",
+    "lever_panel": "Alavanca",
+    "lever_name": "alavanca",
+    "lever_title": "Alavanca",
+    "lever_from": "Da alavanca"
   }
 };
 

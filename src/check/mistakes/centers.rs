@@ -4,8 +4,8 @@ use super::rays::sides;
 use super::site::{Candidate, Reinterpretation, Site, instead, times};
 use super::told::{Blank, Told, tell};
 use crate::construction::{
-    Along, Center, CenterId, CenterOrigin, Centers, Disturbance, Equation, FigureOf, LineId, NumberId, NumberKind, OperationKind,
-    OperationRole, PlaceId, Spot,
+    Along, Center, CenterId, CenterOrigin, Centers, Disturbance, Equation, FigureOf, LineId, NumberId, NumberKind,
+    OperationKind, OperationRole, PlaceId, Spot,
 };
 use crate::geometry::{Vector, cross, quarter_turn, unit};
 use crate::mechanism::SliderId;
@@ -148,9 +148,8 @@ fn found(site: &Site<'_>, find: impl Fn(&Drawn<'_>) -> Vec<Candidate>) -> Vec<Ca
 pub(super) fn along_guide(site: &Site<'_>) -> Vec<Candidate> {
     found(site, |drawn| {
         let along = drawn.of_guides().filter_map(|(id, slider, along)| {
-            let kind = |(index, line, through)| {
-                instead(index, OperationKind::Draw { line, through, along: along.turned(1) })
-            };
+            let kind =
+                |(index, line, through)| instead(index, OperationKind::Draw { line, through, along: along.turned(1) });
             let edits = drawn.drawn_along(along).map(kind).collect();
             drawn.together(tell::center_along_guide(drawn.center(id), drawn.guide(slider)), edits)
         });
@@ -201,8 +200,7 @@ fn with_one_line(drawn: &Drawn<'_>, crossing: &Crossing) -> Vec<Candidate> {
         for &wrong in &others {
             let taken = [lines[1 - side], wrong];
             if drawn.meeting(taken).is_some_and(|at| drawn.is_free(at, operation)) {
-                let told =
-                    tell::line_without_common_link(drawn.center(id), drawn.line(wrong), drawn.line(lines[side]));
+                let told = tell::line_without_common_link(drawn.center(id), drawn.line(wrong), drawn.line(lines[side]));
                 all.push(drawn.site.candidate(told, instead(operation, OperationKind::Cross { place, lines: taken })));
             }
         }
@@ -311,7 +309,8 @@ fn wrong_places(drawn: &Drawn<'_>, id: CenterId) -> Vec<Vector> {
     let Spot::At(pin) = drawn.all.get(id).spot else { return Vec::new() };
     let used = lines_through(drawn, id, pin);
     let operations = drawn.site.model.construction.operations.len();
-    let first = drawn.crossings.iter().find(|crossing| crossing.lines.iter().any(|line| used.iter().any(|u| u.1 == *line)));
+    let first =
+        drawn.crossings.iter().find(|crossing| crossing.lines.iter().any(|line| used.iter().any(|u| u.1 == *line)));
     let before = drawn.lines_before(first.map_or(operations, |crossing| crossing.operation));
     let lines = before.map(|line| drawn.site.model.exact.line(line));
     let lines: Vec<_> = lines.chain(sides(drawn.site).into_iter().map(|(_, side)| side)).collect();
@@ -330,12 +329,7 @@ fn wrong_places(drawn: &Drawn<'_>, id: CenterId) -> Vec<Vector> {
 }
 
 /// The lines through a centre drawn through another place.
-fn through_elsewhere(
-    drawn: &Drawn<'_>,
-    id: CenterId,
-    pin: PlaceId,
-    wrong: Vector,
-) -> Vec<Disturbance> {
+fn through_elsewhere(drawn: &Drawn<'_>, id: CenterId, pin: PlaceId, wrong: Vector) -> Vec<Disturbance> {
     let lines = lines_through(drawn, id, pin).into_iter();
     let edit = |(index, line, other): (usize, LineId, PlaceId)| {
         let along = Along::given(unit(wrong - drawn.at(other))?);
@@ -387,9 +381,10 @@ pub(super) fn sense_by_center(site: &Site<'_>) -> Vec<Candidate> {
             all.push(Candidate { reinterpreted: vec![meant], ..Candidate::at(told(), written.step) });
         }
     }
-    all.extend(velocities(site).map(|velocity| {
-        site.candidate(tell::velocity_reversed(velocity.quantity()), velocity.turned(2))
-    }));
+    all.extend(
+        velocities(site)
+            .map(|velocity| site.candidate(tell::velocity_reversed(velocity.quantity()), velocity.turned(2))),
+    );
     all
 }
 
@@ -456,7 +451,9 @@ pub(super) fn from_wrong_center(site: &Site<'_>) -> Vec<Candidate> {
         let Some(maker) = site.model.makers[arm.0] else { continue };
         let OperationKind::Measure { from, to, .. } = site.operation(maker).kind else { continue };
         for mut candidate in distances.iter().cloned() {
-            let Some(&OperationKind::Measure { from: own, to: end, .. }) = candidate.instead_of(maker) else { continue };
+            let Some(&OperationKind::Measure { from: own, to: end, .. }) = candidate.instead_of(maker) else {
+                continue;
+            };
             let ray = site.model.exact.place(end) - site.model.exact.place(own);
             let Some(normal) = unit(quarter_turn(ray)).filter(|_| own != from && end == to) else { continue };
             candidate.edits.push(velocity.laid(Along::given(normal)));

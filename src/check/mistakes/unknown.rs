@@ -26,7 +26,13 @@ pub(super) fn everywhere(site: &Site<'_>) -> Vec<Candidate> {
                     Amount::Error(_) => extents[operation.sheet],
                 };
                 let is_measured = matches!(operation.kind, OperationKind::Measure { .. });
-                Free { operation: index, what, is_angle, range, keeps_sign: is_measured && operation.sheet == Sheet::Centers }
+                Free {
+                    operation: index,
+                    what,
+                    is_angle,
+                    range,
+                    keeps_sign: is_measured && operation.sheet == Sheet::Centers,
+                }
             };
             let free: Vec<Free> = amounts.iter().map(free).collect();
             // The name of the first value that is wrong follows; until then each place has a name of its own.

@@ -58,7 +58,16 @@ impl Writer<'_> {
             };
             let link = holders().find(is_pivoted).or_else(|| holders().next())?;
             let (arrow, velocity) = (Vector::zeros(), Vector::zeros());
-            Some(CenterVelocity { point: *point, link, driver, end: None, arrow, velocity, omega: 0.0, names: Vec::new() })
+            Some(CenterVelocity {
+                point: *point,
+                link,
+                driver,
+                end: None,
+                arrow,
+                velocity,
+                omega: 0.0,
+                names: Vec::new(),
+            })
         };
         points.iter().filter_map(plan).collect()
     }
