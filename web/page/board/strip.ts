@@ -170,7 +170,7 @@ export function strip(model: Model, back: () => void): Strip {
           if (fromSheet) back();
           fromSheet = false;
         });
-        if (snap.direction !== null) return pressed(chipOf(snap.words, "", snap.words), take);
+        if (snap.direction !== null) return pressed(element("button", { type: "button", "data-name": snap.words }, snap.words), take);
         const label = known.things.find(({ kind, name }) => kind === "point" && name === snap.words)?.label ?? "";
         return pressed(chipOf(snap.words, label, ""), take);
       }));
