@@ -2188,6 +2188,7 @@ page-board-turned = gedreht um den Winkel
 page-board-at_base = von
 page-board-angle = unter dem Winkel
 page-board-other_way = Andersherum
+page-board-quarter = Um ein Viertel drehen: längs oder quer (T)
 page-board-as_it_comes = wie es herauskommt
 page-board-sign_back = Den letzten Teil wegnehmen
 page-board-ccw = gegen den Uhrzeiger

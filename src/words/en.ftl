@@ -2221,6 +2221,7 @@ page-board-turned = turned by the angle
 page-board-at_base = from
 page-board-angle = at the angle
 page-board-other_way = The other way round
+page-board-quarter = Turn by a quarter: along or across (T)
 page-board-as_it_comes = as it comes
 page-board-sign_back = Take back the last part
 page-board-ccw = counter-clockwise

@@ -2186,6 +2186,7 @@ page-board-turned = girada el ángulo
 page-board-at_base = desde
 page-board-angle = con el ángulo
 page-board-other_way = En sentido contrario
+page-board-quarter = Girar un cuarto: a lo largo o a través (T)
 page-board-as_it_comes = como sale
 page-board-sign_back = Quitar la última parte
 page-board-ccw = antihorario

@@ -2188,6 +2188,7 @@ page-board-turned = girada do ângulo
 page-board-at_base = desde
 page-board-angle = com o ângulo
 page-board-other_way = No sentido contrário
+page-board-quarter = Girar um quarto: ao longo ou através (T)
 page-board-as_it_comes = como sai
 page-board-sign_back = Tirar a última parte
 page-board-ccw = anti-horário
