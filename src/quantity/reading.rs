@@ -114,9 +114,10 @@ enum VectorSource {
 impl Reader<'_> {
     fn reading(&mut self, asked: &QuantityRequest) -> Result<Reading, Unread> {
         let (number, sense) = self.number(asked)?;
+        let sheet = asked.sheet_by_hand(&self.writer.construction);
         match self.writer.is_by_hand(number) {
             false => Err(Unread::NoConstruction),
-            true => Ok(Reading { number, sense, sheet: asked.sheet() }),
+            true => Ok(Reading { number, sense, sheet }),
         }
     }
 

@@ -1,5 +1,5 @@
 use super::name::{AccelerationPart, ForceOf, Pole, PoleOf, QuantityRequest, Spot, What};
-use crate::construction::Rate;
+use crate::construction::{Construction, Rate};
 use crate::mechanism::Mechanism;
 use crate::scene::Component;
 use crate::sheet::{Order, QuantityKind, Sheet};
@@ -81,6 +81,14 @@ impl QuantityRequest {
             What::Pole(_) | What::Length(Spot::Pole(_), _) | What::Length(_, Spot::Pole(_)) => Sheet::Centers,
             _ => self.order().map_or(Sheet::Scheme, Order::sheet),
         }
+    }
+
+    /// The sheet from which it is read where a hand draws: rates and velocities without a plan are found by instant centres.
+    #[must_use]
+    pub fn sheet_by_hand(&self, construction: &Construction) -> Sheet {
+        let own = self.sheet();
+        let has_plan = own.order().is_none() || construction.by_hand.contains(&own);
+        if has_plan { own } else { Sheet::Centers }
     }
 
     /// The instant centres in its name.
