@@ -19,6 +19,9 @@ use crate::words::SlidePart;
 /// White between levers, in parts of the widest one.
 const APART: f64 = 0.25;
 
+/// How many times as large as its error a load must be to be put on a lever.
+const CERTAIN: f64 = 8.0;
+
 /// The lever of one drive.
 #[derive(Clone, Debug)]
 pub struct Lever {
@@ -144,14 +147,16 @@ impl Writer<'_> {
         for (load, acting) in computed.acting.iter().enumerate() {
             let mut put: Vec<Put> = Vec::new();
             let force = acting.force.rounded();
-            if let Some(along) = unit(force)
+            // What rounding leaves of none has no direction, and no power to speak of.
+            if force.norm() > CERTAIN * acting.force.errors().norm()
+                && let Some(along) = unit(force)
                 && let Some(size) = self.take(true, Sheet::Lever, NumberKind::Force, force.norm())
             {
                 self.construction.record.exact.numbers[size.0] = acting.force.dot(acting.force).sqrt();
                 let at = image(acting.body, acting.at);
                 put.push(Put { load, is_of_couple: false, size, along, at, exact: Some(acting.force) });
             }
-            if acting.couple.high != 0.0 {
+            if acting.couple.high.abs() > CERTAIN * acting.couple.error() {
                 match self.places_apart(computed, acting.body) {
                     Some(places) => {
                         let images = places.map(|place| image(acting.body, place));
