@@ -194,6 +194,17 @@ impl Sheet {
         self.facts().order
     }
 
+    /// The sheets that are drawn before it can be, and itself.
+    #[must_use]
+    pub fn with_those_needed(self) -> &'static [Sheet] {
+        match self {
+            Sheet::Scheme => &[Sheet::Scheme],
+            Sheet::Velocity => &[Sheet::Scheme, Sheet::Velocity],
+            Sheet::Acceleration => &[Sheet::Scheme, Sheet::Velocity, Sheet::Acceleration],
+            Sheet::Centers => &[Sheet::Centers],
+        }
+    }
+
     /// The name of the distance of two of its points, as `vplan(b,s3)`.
     #[must_use]
     pub fn segment_name(self, from: &str, to: &str) -> String {

@@ -30,24 +30,23 @@ impl Near<'_> {
     /// comes from the gaps' own errors. `None` where it is not proved that there is one and only one.
     ///
     /// The gaps f(x₀) and the derivatives A of them anywhere within a box about x₀ give the proof
-    /// ([`Verified::maps_into_itself`](crate::geometry::Verified)). The assembly x then has f(x₀) = A (x − x₀) for one such
+    /// ([`LinearSystem::verified_near`]). The assembly x then has f(x₀) = A (x − x₀) for one such
     /// A, so that what the correction leaves of the gaps bounds the rest. All of that holds for every value that the
     /// inputs may have, as balls have them.
     pub fn enclosed(&self, gaps: &[Ball], correction: &[f64]) -> Option<(Numbers, bool)> {
         let most: Numbers = gaps.iter().map(|gap| gap.largest()).collect();
         let size: f64 = self.group.bodies.iter().map(|body| self.sizes[body.0]).sum();
-        // Twice as far as a first step goes, so that there is room for what A leaves of it; a little where no gap is left.
-        let first = self.system.reach(&most);
-        let mut reach: Numbers = first.iter().map(|x| (2.0 * x).max(SMALL)).collect();
+        // Where no gap is left, a box that is not empty.
+        let mut least = Numbers::from_elem(SMALL, self.equations.unknowns);
         for &(_, unknown) in &self.equations.slides {
-            reach[unknown] = (2.0 * first[unknown]).max(SMALL * size);
+            least[unknown] = SMALL * size;
         }
-        let mut off = coefficient_errors(self.equations, &self.places);
-        self.add_turning(&most, &reach, &mut off);
-        let verified = self.system.verified(&off);
-        if !verified.maps_into_itself(&first, &reach) {
-            return None;
-        }
+        let mut off = Elements::new();
+        let verified = self.system.verified_near(&most, &least, |reach| {
+            off = coefficient_errors(self.equations, &self.places);
+            self.add_turning(&most, reach, &mut off);
+            off.clone()
+        })?;
         let right: Numbers = gaps.iter().map(|gap| gap.high).collect();
         let uncertain: Numbers = gaps.iter().map(|gap| gap.error()).collect();
         let rows = off.chunks(self.equations.unknowns);

@@ -102,8 +102,12 @@ impl Enclosure {
 
     /// The bound of the difference of a link's axis from an angle in degrees.
     pub fn degrees_from(&self, mechanism: &Mechanism, body: BodyId, degrees: f64) -> Option<f64> {
-        let along = self.placed.turns[body.0].or_else(|| self.drawn_axis(mechanism, body))?;
-        Some(along.degrees_from(degrees))
+        Some(self.axis(mechanism, body)?.degrees_from(degrees))
+    }
+
+    /// The direction of a link's axis.
+    fn axis(&self, mechanism: &Mechanism, body: BodyId) -> Option<Vector> {
+        self.placed.turns[body.0].or_else(|| self.drawn_axis(mechanism, body))
     }
 
     /// The axis of a link as drawn: through its first two points, or else along its guide.
@@ -157,8 +161,12 @@ impl Places for Loaded<'_> {
 }
 
 impl Posed for Loaded<'_> {
-    fn axis(&self, body: BodyId) -> Vector {
-        self.enclosure.placed.turns[body.0].unwrap_or_default()
+    fn axis(&self, body: BodyId) -> Option<Vector> {
+        self.enclosure.axis(self.places.given.mechanism, body)
+    }
+
+    fn slide_position(&self, slider: SliderId) -> Option<Ball> {
+        self.enclosure.placed.slides[slider.0]
     }
 
     fn local(&self, body: BodyId, point: PointId) -> Vector {

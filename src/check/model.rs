@@ -4,8 +4,8 @@ use super::entry::Entry;
 use super::measured::{AnswerKey, CheckError};
 use super::says;
 use crate::construction::{
-    Along, Change, Construction, Disturbance, NumberId, Operation, OperationKind, OperationRole, PlaceId, Reference,
-    Solution, Tolerance, Values,
+    Along, Change, Construction, Disturbance, LineId, NumberId, Operation, OperationKind, OperationRole, PlaceId,
+    Reference, Solution, Tolerance, Values,
 };
 use crate::geometry::{Vector, unit};
 use crate::mechanism::{GROUND, Mechanism, PointId};
@@ -79,9 +79,7 @@ impl Model {
         let given = mu.or(key.scales);
         let mut scales = PerSheet::from_fn(|_| 1.0);
         // On a sheet that nobody asks for nothing is drawn.
-        let is_drawn = |sheet: Sheet| {
-            Sheet::USUAL.contains(&sheet) || construction.operations.iter().any(|operation| operation.sheet == sheet)
-        };
+        let is_drawn = |sheet: Sheet| construction.by_hand.contains(&sheet);
         for (sheet, scale) in scales.iter_mut().filter(|(sheet, _)| is_drawn(*sheet)) {
             *scale = given[sheet].ok_or_else(|| {
                 let hint = says::add_scale_or_panel(sheet.facts().scale_key);
@@ -206,7 +204,7 @@ impl Model {
     pub fn errors(&self, tolerance: &Tolerance) -> Vec<(usize, usize, f64, usize)> {
         let all = self.construction.operations.iter().enumerate().flat_map(|(index, operation)| {
             let group = match (operation.sheet, &operation.kind) {
-                (Sheet::Scheme, OperationKind::Plot { .. }) => PLOTTED,
+                (_, OperationKind::Plot { .. }) => PLOTTED,
                 (sheet, _) => drawn_on(sheet),
             };
             let errors = operation.kind.errors().iter().enumerate();
@@ -255,6 +253,20 @@ fn given_first(operations: &mut [Operation]) {
             _ => None,
         })
         .collect();
+    let normal: Vec<LineId> = operations
+        .iter()
+        .filter_map(|operation| match operation.kind {
+            OperationKind::Draw { line, through, along: Along { reference: Reference::Given(_), .. } }
+                if plotted.contains(&through) =>
+            {
+                Some(line)
+            }
+            OperationKind::Join { line, from, towards } if plotted.contains(&from) && plotted.contains(&towards) => {
+                Some(line)
+            }
+            _ => None,
+        })
+        .collect();
     operations.sort_by_key(|operation| match &operation.kind {
         OperationKind::Pole { .. } | OperationKind::Plot { .. } | OperationKind::Take { .. } => 0,
         OperationKind::Join { from, towards, .. } if plotted.contains(from) && plotted.contains(towards) => 1,
@@ -263,7 +275,13 @@ fn given_first(operations: &mut [Operation]) {
         {
             1
         }
-        _ => 2,
+        // Lines towards the centres of guides.
+        OperationKind::Draw { through, along: Along { reference: Reference::Line(line), .. }, .. }
+            if operation.sheet == Sheet::Centers && plotted.contains(through) && normal.contains(line) =>
+        {
+            2
+        }
+        _ => 3,
     });
 }
 

@@ -6,8 +6,10 @@
 
 use super::measured::{CheckError, UNDER_SLIDER};
 use super::says;
+use crate::centers::LinkPair;
 use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
-use crate::quantity::{QuantityError, QuantityRequest, What};
+use crate::mechanism::GROUND;
+use crate::quantity::{Pole, QuantityError, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, shown};
@@ -68,7 +70,7 @@ fn between(name: &str) -> Option<(QuantityName, Sheet)> {
 
 fn rows(construction: &Construction) -> Vec<FormRow> {
     let mut rows: Vec<FormRow> = Vec::new();
-    for step in construction.numbered_steps() {
+    for step in construction.steps_by_hand() {
         let is_measured = step.action.is_measured();
         for name in step.names() {
             let name = construction.same_rates.get(&name).cloned().unwrap_or(name);
@@ -229,8 +231,12 @@ impl<'a> Names<'a> {
         if sheet == Sheet::Scheme {
             return 0;
         }
+        if sheet == Sheet::Centers {
+            let of_center = |pole: &Pole| self.order.get(&format!("{}.x", pole.name)).copied();
+            return asked.centers().filter_map(of_center).max().unwrap_or(0);
+        }
         let construction = &self.solution.construction;
-        let steps = || construction.numbered_steps();
+        let steps = || construction.steps_by_hand();
         let maker = |image: &str| {
             let maker = steps().find(|s| s.sheet == sheet && s.action.image() == Some(image));
             maker.map(|step| step.number)
@@ -252,7 +258,7 @@ impl<'a> Names<'a> {
         match &asked.what {
             What::Segment(order, [from, to]) if asked.written.component.is_none() => between(order.sheet(), from, to),
             What::Segment(order, [from, to]) => format!("∠ {}", between(order.sheet(), from, to)),
-            What::Length(from, to) => between(Sheet::Scheme, from.name(), to.name()),
+            What::Length(from, to) if asked.sheet() == Sheet::Scheme => between(Sheet::Scheme, from.name(), to.name()),
             _ => {
                 let Wording { notation, .. } = self.solution.wording();
                 plain(&asked.symbol(&self.solution.mechanism, &notation, &|name| self.label(name)))
@@ -280,9 +286,25 @@ impl<'a> Names<'a> {
 
     /// The usual name of a quantity written by the names of any notation; what is not known stays as it is.
     fn usual(&self, written: &str) -> String {
-        let Some((parts, sheet)) = between(written) else { return written.to_owned() };
-        let ends = parts.arguments.iter().map(|end| self.usual_point(sheet, end));
+        let Some((parts, sheet)) = between(written) else {
+            return self.usual_center(written).unwrap_or_else(|| written.to_owned());
+        };
+        let ends =
+            parts.arguments.iter().map(|end| self.usual_center(end).unwrap_or_else(|| self.usual_point(sheet, end)));
         parts.with_arguments(ends.collect()).to_string()
+    }
+
+    /// The usual name of an instant centre, or of a coordinate of it, whose links are written in either order, the frame as 0; `None` of what is none.
+    fn usual_center(&self, written: &str) -> Option<String> {
+        let parts = QuantityName::parse(written).filter(|name| name.head == Head::Center)?;
+        let mechanism = &self.solution.mechanism;
+        let link = |name: &String| match name.as_str() {
+            "0" if mechanism.link("0").is_none() => Some(GROUND),
+            name => mechanism.link(name),
+        };
+        let pair = LinkPair::new(link(parts.arguments.first()?)?, link(parts.arguments.get(1)?)?)?;
+        let links = pair.links().map(|link| mechanism.body(link).name.clone());
+        Some(parts.with_arguments(links.to_vec()).to_string())
     }
 
     /// The usual name of a point of a sheet written in any notation.

@@ -67,9 +67,12 @@ pub(super) fn sensible(key: &AnswerKey<'_>, mu: Scales) -> (Scales, Vec<StatedSc
 
 /// The size of what a sheet shows, in units of the scene.
 fn size(key: &AnswerKey<'_>, sheet: Sheet) -> f64 {
-    match key.solution.construction.plan_on(sheet) {
+    let construction = &key.solution.construction;
+    match construction.plan_on(sheet) {
         Some(plan) => span(plan.points.values().map(|point| point.vector.into())),
-        None if sheet == Sheet::Scheme => span(key.solution.pose.points.iter().copied()),
+        None if sheet == Sheet::Scheme || sheet == Sheet::Centers && construction.centers.is_some() => {
+            span(key.solution.pose.points.iter().copied())
+        }
         None => 0.0,
     }
 }

@@ -122,6 +122,9 @@ impl<'a> Settling<'a> {
                 roots.extend(root([x[0], x[1]], [f[0], f[1]], tolerance, at).map(|amount| vec![amount]));
             }
         }
+        if free.keeps_sign {
+            roots.retain(|root| root[0] * self.none[0] > 0.0);
+        }
         roots.truncate(4);
         roots
     }

@@ -26,6 +26,9 @@ pub struct Construction {
     pub plans: [Plan; 2],
     /// The instant centres that the figure asks for, and how they are found.
     pub centers: Option<Box<Centers>>,
+    /// The sheets that a hand draws, whose quantities forms ask for: the mechanism and its plans; where the figure has the centres, these and the plans
+    /// that it shows.
+    pub by_hand: Vec<Sheet>,
     /// How the velocity plan is turned by 90°, where it is.
     pub turned: Option<TurnedName>,
     /// The operations of ruler, pencil and calculator, each after those whose results it uses.
@@ -81,6 +84,7 @@ impl Construction {
             steps: PerSheet::default(),
             plans: Order::ALL.map(Plan::new),
             centers: None,
+            by_hand: Sheet::USUAL.to_vec(),
             turned: None,
             operations: Vec::new(),
             origin,
@@ -199,6 +203,7 @@ impl Construction {
             }
             NumberKind::Segment(order, [from, to]) => order.sheet().segment_name(from, to),
             NumberKind::Rate(rate) => rate.name(mechanism),
+            NumberKind::SpeedByCenters(point) => format!("v({}).size", mechanism.point_name(*point)),
             NumberKind::RateByCenters(link) => Rate::Angular(Order::Velocity, *link).name(mechanism),
             NumberKind::Reading(name) => name.clone(),
             NumberKind::Size => String::new(),
@@ -225,8 +230,19 @@ impl Construction {
         let steps = self.steps.iter().flat_map(|(sheet, actions)| actions.iter().map(move |action| (sheet, action)));
         (1..).zip(steps).map(|(number, (sheet, action))| {
             let plan = self.plan_on(sheet);
-            NumberedStep { number, sheet, plan, action }
+            NumberedStep { number, sheet, plan, centers: self.centers.as_deref(), action }
         })
+    }
+
+    /// The steps on the sheets that a hand draws.
+    pub fn steps_by_hand(&self) -> impl Iterator<Item = NumberedStep<'_>> {
+        self.numbered_steps().filter(|step| self.by_hand.contains(&step.sheet))
+    }
+
+    /// Whether a hand draws a plan.
+    #[must_use]
+    pub fn draws_plans(&self) -> bool {
+        self.by_hand.iter().any(|sheet| sheet.order().is_some())
     }
 
     /// How many steps there are.
@@ -241,7 +257,10 @@ impl Construction {
         let mut index = number.checked_sub(1)?;
         for (sheet, actions) in self.steps.iter() {
             match actions.get(index) {
-                Some(action) => return Some(NumberedStep { number, sheet, plan: self.plan_on(sheet), action }),
+                Some(action) => {
+                    let (plan, centers) = (self.plan_on(sheet), self.centers.as_deref());
+                    return Some(NumberedStep { number, sheet, plan, centers, action });
+                }
                 None => index -= actions.len(),
             }
         }
@@ -261,10 +280,10 @@ impl Construction {
         self.steps[sheet].get(index)
     }
 
-    /// For each quantity, by name, the first step that yields it.
+    /// For each quantity, by name, the first step by hand that yields it.
     pub(crate) fn steps_of_quantities(&self) -> IndexMap<String, StepId> {
         let mut steps = IndexMap::new();
-        for step in self.numbered_steps() {
+        for step in self.steps_by_hand() {
             let index = step.number - self.step_number(StepId { sheet: step.sheet, index: 0 });
             for name in step.names() {
                 steps.entry(name).or_insert(StepId { sheet: step.sheet, index });

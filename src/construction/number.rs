@@ -58,6 +58,8 @@ pub enum NumberKind {
     Rate(Rate),
     /// The angular velocity of a link, found by distances of instant centres.
     RateByCenters(BodyId),
+    /// The velocity of a point, by the distance from an instant centre.
+    SpeedByCenters(PointId),
     /// The signed size of a vector that is laid off.
     Size,
     /// A measurement that no later operation uses, with the name of its quantity.

@@ -57,6 +57,11 @@ impl<'a> Teller<'a> {
         Self { construction, ..Self::new(solution, words) }
     }
 
+    /// Whether a hand draws on that sheet.
+    pub(crate) fn draws(&self, sheet: Sheet) -> bool {
+        self.construction.by_hand.contains(&sheet)
+    }
+
     /// The heading of a sheet; of a turned plan with its angle.
     #[must_use]
     pub fn sheet_name(&self, sheet: Sheet) -> String {

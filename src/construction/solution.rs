@@ -133,6 +133,10 @@ fn with_centers(
     let points: Vec<PointId> = figure.velocities.iter().filter_map(|name| mechanism.point(name)).collect();
     let mut writer = Writer::continued(mechanism, pose, motion, construction);
     writer.centers(&wanted, &points);
+    // On a scheme beside the centres nothing is drawn.
+    let drawn: Vec<Sheet> = figure.shown_panels().into_iter().filter(|sheet| *sheet != Sheet::Scheme).collect();
+    let needed = |sheet: &Sheet| drawn.iter().any(|drawn| drawn.with_those_needed().contains(sheet));
+    writer.construction.by_hand = Sheet::ALL.into_iter().filter(needed).collect();
     writer.construction
 }
 

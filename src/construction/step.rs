@@ -1,7 +1,7 @@
 //! Steps at the board, and the plans that they draw.
 
 use super::cut::SpecialId;
-use super::kennedy::{CenterId, CenterLine, FigureOf};
+use super::kennedy::{CenterId, CenterLine, Centers, FigureOf};
 use crate::centers::LinkPair;
 use crate::geometry::Vector;
 use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
@@ -108,6 +108,8 @@ pub enum Action {
         driver: BodyId,
         /// Its angular velocity.
         value: f64,
+        /// Names of the distances that are measured for it, and of the angular velocity.
+        names: Vec<String>,
     },
     /// Lay off the velocity of a point, normal to its ray from the centre of its link: index among the velocities by centres.
     VelocityByCenters(usize),
@@ -142,6 +144,8 @@ pub struct NumberedStep<'a> {
     pub sheet: Sheet,
     /// The plan to which it belongs; none on other sheets.
     pub plan: Option<&'a Plan>,
+    /// The instant centres, where there are some.
+    pub centers: Option<&'a Centers>,
     /// What is done.
     pub action: &'a Action,
 }
@@ -155,13 +159,16 @@ impl NumberedStep<'_> {
             Action::Measure { from, to, .. } => vec![sheet.segment_name(from, to)],
             Action::LayOff(arrow) => vec![sheet.segment_name(&arrow.from, &arrow.to)],
             Action::Solve { unknowns, .. } => unknowns.iter().map(|u| u.0.clone()).collect(),
+            Action::Center(id) => self.centers.map_or_else(Vec::new, |centers| centers.get(*id).quantities()),
+            Action::RateByCenters { names, .. } => names.clone(),
+            Action::VelocityByCenters(index) => {
+                let velocity = self.centers.and_then(|centers| centers.velocities.get(*index));
+                velocity.map_or_else(Vec::new, |velocity| velocity.names.clone())
+            }
             Action::PermanentCenters
             | Action::CenterLine { .. }
-            | Action::Center(_)
             | Action::LeaveOut { .. }
-            | Action::CentersByRates(_)
-            | Action::RateByCenters { .. }
-            | Action::VelocityByCenters(_) => Vec::new(),
+            | Action::CentersByRates(_) => Vec::new(),
             action => {
                 let image = self.plan.zip(action.image());
                 image.map(|(plan, point)| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()

@@ -221,7 +221,7 @@ impl<'a> Writer<'a> {
     }
 
     /// A joint on a sheet that shows the mechanism.
-    pub(super) fn plot_on(&mut self, sheet: Sheet, point: PointId) -> PlaceId {
+    pub(crate) fn plot_on(&mut self, sheet: Sheet, point: PointId) -> PlaceId {
         let name = self.mechanism.point_name(point);
         if let Some(place) = self.construction.place(sheet, name) {
             return place;

@@ -169,7 +169,7 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
             label: html_text(&labels.quantity(asked)),
             allowed: value.allowed.unwrap_or(0.0),
             unit: value.unit.clone(),
-            sheet: asked.sheet(),
+            sheet: asked.sheet_by_hand(&solution.construction),
             worth: worth.get(asked.name()).copied().unwrap_or(1.0),
             answers: answers(value, largest(&value.unit), student.is_size(place), &wrong[place], words),
         })

@@ -2,6 +2,7 @@
 //! those on which plans are drawn by hand, an empty panel for each with its pole and its scale; the teacher's key.
 
 use super::canvas::Canvas;
+use super::centers;
 use super::compose::{Composition, further_sheets};
 use super::context::{Purpose, SheetContext};
 use super::labels::LabelRequest;
@@ -105,7 +106,9 @@ fn student_sheet<'a>(
 ) -> Composition<'a> {
     let alone = [(Sheet::Scheme, scheme::on_paper::extent(context))];
     let sheet = Composition::new(context, panels(context, &alone, |sheet| vec![content(context, sheet)]));
+    let has_plans = context.construction().draws_plans();
     let paper = match plans_follow {
+        true if !has_plans => Some(context.words.language.exercise_center_sheet().to_owned()),
         true => Some(context.words.language.exercise_sheets().to_owned()),
         false => context.note_on_paper(),
     };
@@ -167,6 +170,15 @@ pub fn shows_special_points(solution: &Solution) -> bool {
         && plans.all(|plan| extent(plan, shown) == extent(plan, all))
 }
 
+/// Whether the figure of instant centres shows all of them at their places, none by an arrow.
+#[must_use]
+pub fn shows_centers(solution: &Solution) -> bool {
+    let context = SheetContext::new(solution, Purpose::Drawing);
+    let extent = centers::extent(&context);
+    let all = context.construction().centers.iter().flat_map(|centers| &centers.all);
+    all.filter_map(|center| center.place.finite()).all(|place| extent.with(place) == extent)
+}
+
 /// White in a panel around the right plan, in mm: a wrong one is larger.
 const AROUND_PLAN: f64 = 10.0;
 
@@ -176,9 +188,11 @@ fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, first: u16) -> 
     let context = SheetContext::new(solution, Purpose::Drawing);
     let own = context.figure().page;
     let shown = context.figure().shown_panels();
-    let mu = PerSheet::from_fn(|sheet| scales[sheet].filter(|_| sheet.order().is_some()));
+    let mu = PerSheet::from_fn(|sheet| scales[sheet].filter(|_| sheet != Sheet::Scheme));
     let is_wanted = |sheet: &Sheet| shown.contains(sheet) && mu[*sheet].is_some();
-    let plans: Vec<Sheet> = context.construction().plans().map(Plan::sheet).filter(is_wanted).collect();
+    let plans = context.construction().plans().map(Plan::sheet);
+    let centers = context.construction().centers.iter().map(|_| Sheet::Centers);
+    let plans: Vec<Sheet> = plans.chain(centers).filter(is_wanted).collect();
     let sheet = |page: Page, plans: &[Sheet], number: u16| {
         sheet_of_plans(&context.on_page(page, mu).with_markers(), plans, number, name, None)
     };
@@ -241,7 +255,7 @@ fn sheet_of_plans<'a>(
     let notes = note.into_iter().chain(sentence).collect();
     let sheet = with_notes(sheet.with_code(number, name), [Vec::new(), notes], true);
     let mut layout = sheet.layout();
-    for placed in &mut layout.panels {
+    for placed in layout.panels.iter_mut().filter(|placed| placed.needs.sheet.order().is_some()) {
         // The view shows the middle of the extent at the middle of the area.
         let off = (placed.area.center() - pole(placed)) * (placed.mu * placed.unit);
         placed.needs.extent = Extent::of([geometry::Point::new(off.x, -off.y)]);
@@ -249,8 +263,25 @@ fn sheet_of_plans<'a>(
     (sheet.draw(&layout), layout.shows_all())
 }
 
+/// The panel of instant centres as a student gets it: the mechanism, with room for the lines.
+fn panel_of_centers<'a>(context: &'a SheetContext<'a>) -> Panel<'a> {
+    let name = context.words.language.sheet(Sheet::Centers);
+    let frame = Frame::new(Line::new(vec![RichText::plain(name)]), Pen::Heading).with_scale(context);
+    let needs = Needs {
+        mu: context.surface.mu[Sheet::Centers],
+        white: AROUND_PLAN,
+        ..frame.needs(context, Sheet::Centers, centers::extent(context))
+    };
+    let layer = move |canvas: &mut Canvas<'_>, view: &View| scheme::draw_bare(canvas, view, context, |_| true);
+    let language = Some(context.words.language);
+    Panel { language, ..Panel::plain(name, Sheet::Centers.as_str(), needs, frame, vec![Box::new(layer)]) }
+}
+
 /// The empty panel of a plan.
 fn panel<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Option<Panel<'a>> {
+    if sheet == Sheet::Centers {
+        return Some(panel_of_centers(context));
+    }
     let plan = context.plan(sheet)?;
     let name = context.words.language.sheet(sheet);
     let frame = Frame::new(Line::new(vec![RichText::plain(name)]), Pen::Heading).with_scale(context);

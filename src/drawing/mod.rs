@@ -116,7 +116,9 @@ pub use correction::{SeenPoint, over_photo, overlay, overlay_words};
 #[doc(inline)]
 pub use curves::{CurvesError, curves, drive_ends, hodograph_ways, hodographs, path_ways, paths};
 pub use draft::{DraftView, draft};
-pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
+pub use exercise::{
+    drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_centers, shows_special_points,
+};
 pub use facts::Steps;
 pub use figure::FigureSheets;
 pub use film::{Film, Timing};

@@ -11,7 +11,7 @@ use super::text::{CAPTION, RichText};
 use crate::construction::{Plan, Rate, Solution};
 use crate::quantity::{QuantityRequest, What};
 use crate::scene::{ConstructionShown, Page, PageSize};
-use crate::sheet::Order;
+use crate::sheet::{Order, Sheet};
 use crate::words::NumberStyle;
 use kurbo::Point;
 
@@ -59,7 +59,7 @@ impl SheetContext<'_> {
         let between = |from: &str, to: &str| format!("{} {}", self.shown(from, plan), self.shown(to, plan));
         match &asked.what {
             What::Segment(_, [from, to]) => between(from, to),
-            What::Length(from, to) => between(from.name(), to.name()),
+            What::Length(from, to) if asked.sheet() == Sheet::Scheme => between(from.name(), to.name()),
             _ => asked.symbol(self.mechanism(), &self.words.notation, &|name| self.shown(name, None)),
         }
     }

@@ -18,6 +18,8 @@ use crate::scene::{Figure, QuantityName, Shape as Given, Units, ValuesShown};
 use crate::sheet::{Order, Sheet};
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect, Vec2};
+use nalgebra::Vector2;
+use std::collections::BTreeSet;
 
 /// Number style of values.
 pub(super) const VALUE: NumberStyle = NumberStyle::significant(3).rounded().in_full(-3, 6).on(Medium::Figure);
@@ -152,6 +154,7 @@ impl List<'_> {
         let steps = &self.context.facts.plan_steps[panel];
         let hides = |name: &String| is_hidden(self.context.figure(), plan, name);
         let mut values: Vec<Value> = Vec::new();
+        let (mut drawn, mut symbols) = (Vec::new(), BTreeSet::new());
         for vector in self.context.teller().vectors(plan) {
             let Some(segment) = plan.segment(&vector.ends[0], &vector.ends[1]) else { continue };
             let is_whole = vector.ends[0] == plan.order.pole();
@@ -159,23 +162,22 @@ impl List<'_> {
             if vector.ends.iter().any(hides) || (is_nothing && !is_whole) {
                 continue;
             }
-            let same = |value: &&mut Value| {
-                let ValueOf::Vector(other) = &value.of else { return false };
-                let places = |vector: &PlanVector| vector.ends.clone().map(|name| plan.points[&name].vector);
-                let [[a, b], [c, d]] = [places(other), places(&vector)];
-                (a - c).norm().max((b - d).norm()) <= NOTHING * largest
-            };
-            if let Some(same) = values.iter_mut().find(same) {
+            let [a, b] = vector.ends.each_ref().map(|name| plan.points[name].vector);
+            let same = |[c, d]: &[Vector2<f64>; 2]| (a - c).norm().max((b - d).norm()) <= NOTHING * largest;
+            if let Some(same) = drawn.iter().position(same) {
                 // A motion relative to a point at rest needs no second symbol.
                 if is_whole {
-                    same.symbol = format!("{} = {}", same.symbol, vector.symbol);
+                    let both = format!("{} = {}", values[same].symbol, vector.symbol);
+                    symbols.remove(&std::mem::replace(&mut values[same].symbol, both.clone()));
+                    symbols.insert(both);
                 }
                 continue;
             }
             // The motion along a guide is drawn at every point that passes it.
-            if values.iter().any(|value| value.symbol == vector.symbol) {
+            if !symbols.insert(vector.symbol.clone()) {
                 continue;
             }
+            drawn.push([a, b]);
             let number = if is_nothing { 0.0 } else { segment.norm() };
             let since = steps.point(&vector.made);
             values.push(self.value(panel, vector.symbol.clone(), number, kind, since, ValueOf::Vector(vector)));

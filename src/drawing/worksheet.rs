@@ -116,8 +116,10 @@ impl Worksheet {
     pub(super) fn key(context: &SheetContext<'_>, panels: &[Panel<'_>], rows: &[KeyRow<'_>]) -> Self {
         let (words, page) = (context.words, context.surface.page.size_mm());
         let cells = rows.iter().zip(1..).map(|(KeyRow { asked, value, allowed }, number)| {
-            let is_its =
-                |panel: &&Panel<'_>| panel.needs.sheet.facts().drawn == asked.kind() && asked.is_length_on_sheet();
+            let is_its = |panel: &&Panel<'_>| {
+                let sheet = panel.needs.sheet;
+                sheet == asked.sheet() && sheet.facts().drawn == asked.kind() && asked.is_length_on_sheet()
+            };
             let panel = panels.iter().find(is_its);
             let mm = panel.map(|panel| words.write(value / least(panel, page), HUNDREDTHS));
             let scale = panel.map_or("", |panel| panel.needs.sheet.facts().scale_symbol);

@@ -2,7 +2,7 @@
 
 use crate::construction::Solution;
 use crate::drawing::KeyRow;
-use crate::quantity::{QuantityRequest, What};
+use crate::quantity::{QuantityKind, QuantityRequest, What};
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
@@ -10,6 +10,9 @@ use std::collections::BTreeSet;
 /// Most that a careful hand may be off by in a value that is asked for, in parts of the value: a box that accepts nearly everything shows
 /// nothing.
 pub const MEASURABLE: f64 = 0.25;
+
+/// Most that a careful hand may be off by in the direction of a velocity, in degrees.
+const DIRECTION: f64 = 10.0;
 
 /// Most boxes of an exercise that asks for all that a hand can measure: more are an evening's copying, and say little that the others do not.
 const MANY: usize = 24;
@@ -20,9 +23,16 @@ const RESULT: f64 = 2.0;
 /// The values that an exercise asks for, of those that it could, with the marks that each is worth, as the scene's own form says or by default: none that no hand can measure. Where these are many, all rates,
 /// and of each point of scheme and plans one segment to it: from the pole, else the first that is measured.
 pub(super) fn to_ask(rows: &[KeyRow<'_>], solution: &Solution) -> IndexMap<String, f64> {
-    let is_measurable = |row: &&KeyRow<'_>| row.allowed.is_some_and(|allowed| allowed <= MEASURABLE * row.value.abs());
+    let is_measurable = |row: &&KeyRow<'_>| {
+        row.allowed.is_some_and(|allowed| match (&row.asked.what, row.asked.kind()) {
+            // Of a coordinate the place counts, of a direction the turn, not how near zero they are.
+            (What::Pole(_), _) => true,
+            (What::Motion(..), QuantityKind::Angle) => allowed <= DIRECTION,
+            _ => allowed <= MEASURABLE * row.value.abs(),
+        })
+    };
     let measurable: Vec<&QuantityRequest> = rows.iter().filter(is_measurable).map(|row| row.asked).collect();
-    let steps = solution.construction.numbered_steps().filter(|step| step.action.is_measured());
+    let steps = solution.construction.steps_by_hand().filter(|step| step.action.is_measured());
     let measured: BTreeSet<String> = steps.flat_map(|step| step.names()).collect();
     let is_main = |asked: &&QuantityRequest| {
         let Some(own) = Ends::of(asked) else { return true };
@@ -55,7 +65,9 @@ impl<'a> Ends<'a> {
             What::Segment(order, [from, to]) => {
                 Some(Ends { sheet: order.sheet(), to, is_from_pole: from == order.pole() })
             }
-            What::Length(_, to) => Some(Ends { sheet: Sheet::Scheme, to: to.name(), is_from_pole: false }),
+            What::Length(_, to) if asked.sheet() == Sheet::Scheme => {
+                Some(Ends { sheet: Sheet::Scheme, to: to.name(), is_from_pole: false })
+            }
             _ => None,
         }
     }

@@ -84,14 +84,19 @@ impl Exercises {
     /// The scene has no construction.
     pub fn new(solution: &Solution, page: Option<Page>, seed: u64) -> Result<Exercises, ExerciseError> {
         let Solution { scene, construction, .. } = solution;
-        if construction.agreement.iter().any(Option::is_none) || construction.agreement.is_empty() {
+        let has_no_plans = construction.agreement.iter().any(Option::is_none) || construction.agreement.is_empty();
+        if construction.draws_plans() && has_no_plans {
             return Err(ExerciseError::NoConstruction);
         }
         let base = serde_json::from_str(scene.text().trim_start_matches('\u{feff}'));
         let base: Value = base.expect("a scene is JSON");
         let is_page_open = page.is_none() && base["figure"]["page"].is_null();
         let figure = Figure {
-            panels: Sheet::USUAL.to_vec(),
+            // The plans, unless the figure asks for instant centres.
+            panels: match construction.centers {
+                Some(_) => scene.figure.shown_panels(),
+                None => Sheet::USUAL.to_vec(),
+            },
             step: None,
             special_points: true,
             construction: ConstructionShown::Whole,
@@ -196,6 +201,9 @@ impl Exercises {
             language: asked.language,
             decimal: asked.decimal,
             labels: asked.labels,
+            panels: asked.panels,
+            centers: asked.centers,
+            velocities: asked.velocities,
             mu: found.scales,
             ..Figure::default()
         };

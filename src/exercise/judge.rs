@@ -1,6 +1,7 @@
 //! Decides which variants are exercises: those that a careful hand draws well.
 
 use super::asked::to_ask;
+use super::centers;
 use super::says;
 use super::sheets::{key_rows, sentences};
 use crate::check::{BANDS, asked_names, form_names};
@@ -78,6 +79,14 @@ pub enum Refusal {
     Short,
     /// The band of a rate is too wide.
     Unsure,
+    /// An instant centre has no room on the sheet.
+    CenterFar,
+    /// Two instant centres are close to each other.
+    CentersClose,
+    /// A distance of instant centres is too short.
+    CenterDistance,
+    /// An instant centre is not found well.
+    CenterUnsure,
     /// An earlier exercise has the same numbers.
     Same,
 }
@@ -96,6 +105,10 @@ impl Refusal {
             Refusal::Sheet => says::sheet(),
             Refusal::Short => says::short(),
             Refusal::Unsure => says::unsure(),
+            Refusal::CenterFar => says::center_far(),
+            Refusal::CentersClose => says::centers_close(),
+            Refusal::CenterDistance => says::center_distance(),
+            Refusal::CenterUnsure => says::center_unsure(),
             Refusal::Same => says::same(),
         }
     }
@@ -140,12 +153,16 @@ impl Exercise {
             figure.mu = scales;
         }
         is_long_enough(&solution.construction, &scales)?;
-        if !(FigureSheets::new(&solution).overflow_warnings().is_empty() && shows_special_points(&solution)) {
+        let has_plans = solution.construction.draws_plans();
+        let shows_all = !has_plans || shows_special_points(&solution);
+        if !(FigureSheets::new(&solution).overflow_warnings().is_empty() && shows_all) {
             return Err(Refusal::Sheet);
         }
+        centers::are_clear(&solution, &scales)?;
         let mut pencil = pencil(&solution, &scales, Tolerance::default(), quantities.clone());
         let rows = key_rows(&solution, &pencil);
         is_sure(&rows)?;
+        centers::are_sure(&rows, &scales)?;
         key_scales(&solution, &rows).ok_or(Refusal::Sheet)?;
         // Whether a variant is an exercise does not hang on what it asks for.
         let names = asked_names(&solution);
@@ -223,14 +240,16 @@ fn is_sure(rows: &[KeyRow<'_>]) -> Result<(), Refusal> {
 
 /// Whether all groups have a construction, exact and with good crossings.
 fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
-    for agreement in &construction.agreement {
+    for agreement in construction.agreement.iter().filter(|_| construction.draws_plans()) {
         let agreement = agreement.ok_or(Refusal::NoConstruction)?;
         if agreement.difference > agreement.allowed {
             return Err(Refusal::Routes);
         }
     }
-    let sines = construction.numbered_steps().filter_map(|s| match &s.action {
+    centers::are_constructed(construction)?;
+    let sines = construction.steps_by_hand().filter_map(|s| match &s.action {
         Action::Cross { sine, .. } | Action::SpecialPoint { sine, .. } => Some(sine.abs()),
+        Action::Center(id) => centers::sine(construction, *id),
         _ => None,
     });
     match sines.fold(1.0, f64::min) < SINE {
@@ -241,7 +260,7 @@ fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
 
 /// Whether everything that is measured or laid off is long enough on paper, or zero.
 fn is_long_enough(construction: &Construction, scales: &Scales) -> Result<(), Refusal> {
-    for step in construction.numbered_steps() {
+    for step in construction.steps_by_hand() {
         let (value, shortest) = match (step.action, step.plan) {
             (Action::Measure { value, .. }, _) => (value.abs(), SHORTEST),
             (Action::LayOff(arrow), Some(plan)) => {

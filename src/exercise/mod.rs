@@ -14,6 +14,7 @@
 //! as it stands, so that nothing depends on how it was found.
 
 mod asked;
+mod centers;
 mod find;
 mod judge;
 mod key;

@@ -14,6 +14,10 @@ messages! { "exercise":
     sheet;
     short;
     unsure;
+    center_far;
+    centers_close;
+    center_distance;
+    center_unsure;
     same;
     numbered(most);
     no_such;

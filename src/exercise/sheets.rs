@@ -71,8 +71,13 @@ pub(super) fn sentences(scene: &Scene, scales: &Scales) -> Vec<String> {
         let unit = plan.facts().drawn.unit(scene.units);
         format!("{} = {} ({unit})/mm", plan.facts().scale_symbol, teller.number(mu))
     };
-    let plans: Vec<String> = scales.given().filter(|(sheet, _)| sheet.order().is_some()).map(scale).collect();
-    vec![words.language.exercise_given(&listed(&all)), words.language.exercise_draw(&listed(&plans))]
+    let of = |is_meant: fn(Sheet) -> bool| -> Vec<String> {
+        scales.given().filter(|(sheet, _)| is_meant(*sheet)).map(scale).collect()
+    };
+    let (plans, centers) = (of(|sheet| sheet.order().is_some()), of(|sheet| sheet == Sheet::Centers));
+    let draw = (!plans.is_empty() || centers.is_empty()).then(|| words.language.exercise_draw(&listed(&plans)));
+    let find = (!centers.is_empty()).then(|| words.language.exercise_centers(&listed(&centers)));
+    std::iter::once(words.language.exercise_given(&listed(&all))).chain(find).chain(draw).collect()
 }
 
 /// A list that can be broken into lines between its items only.

@@ -1,9 +1,9 @@
 //! What acts on the links besides their joints: weights, inertia, given forces and couples, springs.
 
 use super::Posed;
-use crate::geometry::{Ball, Number, Pair};
+use crate::geometry::{Ball, Number, Pair, degrees_of};
 use crate::mechanism::{BodyId, GROUND, Mechanism};
-use crate::scene::{Amount, Analysis, GivenBy, LinkPlace, Load, Loads, Mass, On, Spring, SpringEnd, Units};
+use crate::scene::{Amount, Analysis, Gauge, GivenBy, LinkPlace, Load, Loads, Mass, On, Spring, SpringEnd, Units};
 
 /// Where a load comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,8 +49,9 @@ impl Wrench {
     }
 }
 
-/// All loads on bodies whose equilibrium counts, the frame among them for what springs do to it.
-pub(super) fn acting(loads: &Loads, units: Units, mechanism: &Mechanism, posed: &impl Posed) -> Vec<Acting> {
+/// All loads on bodies whose equilibrium counts, the frame among them for what springs do to it. `None` where a load changes over an
+/// angle or a position that there is not.
+pub(super) fn acting(loads: &Loads, units: Units, mechanism: &Mechanism, posed: &impl Posed) -> Option<Vec<Acting>> {
     let here = Here { mechanism, posed };
     let factor = units.force_of_mass_times_acceleration();
     let gravity = Pair { x: posed.given(loads.gravity[0]), y: posed.given(loads.gravity[1]) };
@@ -60,9 +61,11 @@ pub(super) fn acting(loads: &Loads, units: Units, mechanism: &Mechanism, posed: 
             here.masses(body, mass, factor, gravity, loads.analysis, &mut all);
         }
     }
-    all.extend(loads.loads.iter().enumerate().filter_map(|(index, load)| here.given(index, load)));
+    for (index, load) in loads.loads.iter().enumerate() {
+        all.push(here.given(index, load)?);
+    }
     all.extend(loads.springs.iter().enumerate().flat_map(|(index, spring)| here.spring(index, spring)));
-    all
+    Some(all)
 }
 
 struct Here<'a, P> {
@@ -101,10 +104,24 @@ impl<P: Posed> Here<'_, P> {
 
     fn given(&self, index: usize, load: &Load) -> Option<Acting> {
         let body = self.mechanism.link(&load.on)?;
+        let times = load.over.as_ref().map_or(Some(1.0.into()), |over| Some(over.at(self.gauged(&over.of)?)))?;
         let [x, y] = load.force.map(|x| self.posed.given(x));
-        let force = if load.turns { self.posed.axis(body).turn(Pair { x, y }) } else { Pair { x, y } };
+        let force = Pair { x, y } * times;
+        let force = if load.turns { self.posed.axis(body).unwrap_or_default().turn(force) } else { force };
         let at = load.at.as_ref().map_or_else(|| about(self.mechanism, self.posed, body), |at| self.place(body, at));
-        Some(Acting { source: Source::Given(index), body, at, force, couple: self.posed.given(load.couple) })
+        Some(Acting { source: Source::Given(index), body, at, force, couple: self.posed.given(load.couple) * times })
+    }
+
+    /// What a load changes over: an angle in degrees or a position, with its bound.
+    fn gauged(&self, gauge: &Gauge) -> Option<Ball> {
+        match gauge {
+            Gauge::Angle(link) => {
+                let axis = self.posed.axis(self.mechanism.link(link)?)?;
+                let degrees = degrees_of(axis.rounded());
+                Some(Ball::from(degrees).widened(axis.degrees_from(degrees)))
+            }
+            Gauge::Position(slider) => self.posed.slide_position(self.mechanism.slider_named(slider)?),
+        }
     }
 
     /// What a spring does to both its ends.
@@ -145,7 +162,7 @@ impl<P: Posed> Here<'_, P> {
         match self.mechanism.body(body).points.first() {
             Some(&point) => {
                 let arm = local - self.posed.local(body, point);
-                self.posed.place(point) + self.posed.axis(body).turn(arm)
+                self.posed.place(point) + self.posed.axis(body).unwrap_or_default().turn(arm)
             }
             None => local,
         }

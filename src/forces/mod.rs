@@ -31,7 +31,7 @@ mod power;
 pub use acting::Source;
 pub use carried::{Agreement, Drive, Forces};
 
-use crate::geometry::{Ball, Pair, Vector};
+use crate::geometry::{Ball, Pair};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use crate::motion::{Places, State, bounded_motion};
 use crate::position::Pose;
@@ -39,8 +39,10 @@ use crate::sheet::Order;
 
 /// Where bodies are and how they move, for their forces.
 pub(crate) trait Posed: Places {
-    /// The unit vector along the x axis of a body's own frame; without a meaning in a drawn configuration.
-    fn axis(&self, body: BodyId) -> Pair<Ball>;
+    /// The unit vector along a link's axis: where lengths are given, the x axis of its own frame. `None` of a body without an axis.
+    fn axis(&self, body: BodyId) -> Option<Pair<Ball>>;
+    /// The position of a slider along its guide; `None` where it counts from no point.
+    fn slide_position(&self, slider: SliderId) -> Option<Ball>;
     /// A point in the frame of its body.
     fn local(&self, body: BodyId, point: PointId) -> Pair<Ball>;
     /// The acceleration of the body's point at a place.
@@ -60,7 +62,7 @@ pub(crate) fn forces(mechanism: &Mechanism, posed: &impl Posed) -> Option<Forces
 /// The same from the equilibrium of the links alone, for one of many positions: its [`Forces::drives`] are empty.
 pub(crate) fn in_equilibrium(mechanism: &Mechanism, posed: &impl Posed) -> Option<Forces> {
     let (loads, units) = &**mechanism.loads.as_ref()?;
-    let acting = acting::acting(loads, *units, mechanism, posed);
+    let acting = acting::acting(loads, *units, mechanism, posed)?;
     equilibrium::carried(mechanism, posed, acting)
 }
 
@@ -100,9 +102,12 @@ impl Places for AtPose<'_> {
 }
 
 impl Posed for AtPose<'_> {
-    fn axis(&self, body: BodyId) -> Pair<Ball> {
-        let axis = self.pose.axes[body.0].unwrap_or_else(Vector::x);
-        Pair::from(axis).unit()
+    fn axis(&self, body: BodyId) -> Option<Pair<Ball>> {
+        self.pose.axes[body.0].map(|axis| Pair::from(axis).unit())
+    }
+
+    fn slide_position(&self, slider: SliderId) -> Option<Ball> {
+        self.pose.slides[slider.0].map(Ball::from)
     }
 
     fn local(&self, body: BodyId, point: PointId) -> Pair<Ball> {

@@ -230,7 +230,9 @@ impl StepList<'_> {
                     let value = if value.abs() <= NOTHING * largest { &0.0 } else { value };
                     let unit = QuantityName::parse(name).map_or_else(String::new, |name| name.kind().unit(self.units));
                     // A rate is computed, not measured: it has no length on paper.
-                    let band = self.band(name, &unit, None);
+                    // Of a plan that is not drawn there is none.
+                    let is_drawn = self.teller.draws(sheet);
+                    let band = if is_drawn { self.band(name, &unit, None) } else { String::new() };
                     format!("{name} = {} {unit}{band}", self.digits(*value))
                 }));
                 lines

@@ -137,6 +137,24 @@ impl LinearSystem {
         reached
     }
 
+    /// Proves that equations have one and only one solution in a box about a point where they leave `gaps`, and this matrix
+    /// as their derivatives (Krawczyk 1969; Rump 2010, §13); `None` where that is not proved.
+    ///
+    /// The box goes twice as far as the first step of Newton's method, so that there is room for what the change of the
+    /// derivatives leaves of it; and no less far than `least`. `off_within` bounds how far the derivatives anywhere in the
+    /// box that it is given are from this matrix. The proof holds for all these.
+    pub fn verified_near(
+        &self,
+        gaps: &[f64],
+        least: &[f64],
+        off_within: impl FnOnce(&[f64]) -> Elements,
+    ) -> Option<Verified<'_>> {
+        let first = self.reach(gaps);
+        let reach: Numbers = first.iter().zip(least).map(|(first, least)| (2.0 * first).max(*least)).collect();
+        let verified = self.verified(&off_within(&reach));
+        verified.maps_into_itself(&first, &reach).then_some(verified)
+    }
+
     /// What the computed inverse proves of all matrices whose elements are at most `off` from those of this one.
     #[must_use]
     pub fn verified(&self, off: &[f64]) -> Verified<'_> {
@@ -195,10 +213,8 @@ pub struct Verified<'a> {
 
 impl Verified<'_> {
     /// Whether Newton's method with R takes every point of the box `[−reach, reach]` to one inside of it, where the first
-    /// step from its middle goes no farther than `first` and the equations have derivatives A: then they have one and
-    /// only one solution in the box (Krawczyk 1969; Rump 2010, §13).
-    #[must_use]
-    pub fn maps_into_itself(&self, first: &[f64], reach: &[f64]) -> bool {
+    /// step from its middle goes no farther than `first`.
+    fn maps_into_itself(&self, first: &[f64], reach: &[f64]) -> bool {
         let scale = &self.system.column_scale;
         reach.iter().enumerate().all(|(index, &reach_here)| {
             let row = &self.defects[index * reach.len()..];

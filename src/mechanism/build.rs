@@ -10,7 +10,7 @@ use super::{
 };
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::message::Message;
-use crate::scene::{Along, GivenBy, Link, Scene, Shape};
+use crate::scene::{Along, Gauge, GivenBy, Link, Scene, Shape};
 use indexmap::{IndexMap, IndexSet};
 use std::cell::LazyCell;
 use std::f64::consts::{PI, TAU};
@@ -43,6 +43,7 @@ pub fn mechanism_with(
     mechanism.warnings.extend(radians_warnings(scene));
     mechanism.warnings.extend(far_origin_warning(scene));
     add(&mut mechanism);
+    check_gauges(scene, &mechanism)?;
     let given_angle = link_angle_for_drive(scene)?;
     let unpinned = given_angle.map(|_| mechanism.clone());
     mechanism.join_driven();
@@ -91,6 +92,25 @@ pub(crate) fn renumber(mechanism: &mut Mechanism, scene: &Scene) -> Option<()> {
         }
     }
     Some(())
+}
+
+/// Whether there are the sliders over whose positions loads change.
+fn check_gauges(scene: &Scene, mechanism: &Mechanism) -> Result<(), StructureError> {
+    let loads = scene.loads.iter().flat_map(|loads| &loads.loads).enumerate();
+    let gauges = loads.filter_map(|(index, load)| Some((index, &load.over.as_ref()?.of)));
+    for (index, gauge) in gauges {
+        let Gauge::Position(name) = gauge else { continue };
+        let message = match mechanism.slider_named(name) {
+            None => says::over_no_slider(name),
+            Some(id) if scene.given_by == GivenBy::Drawing && mechanism.slider(id).counted_from.is_none() => {
+                says::over_no_zero(name)
+            }
+            Some(_) => continue,
+        };
+        let path = ["forces", &index.to_string(), "over", "of"];
+        return Err(scene.error_at(&path, message, None).into());
+    }
+    Ok(())
 }
 
 /// The Assur groups of the links of unknown motion, in an order in which they can be solved.

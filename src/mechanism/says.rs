@@ -5,6 +5,8 @@ use crate::message::messages;
 messages! { "mechanism":
     nothing_to_solve;
     add_links;
+    over_no_slider(name);
+    over_no_zero(name);
     angle_of_another(link);
     angle_in_drive;
     mirror_image(link, points);

@@ -64,9 +64,9 @@ pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked:
     let (construction, readings) = read_by_hand(solution, &asked);
     let on_sheets = readings.into_iter().map(|reading| {
         let reading = reading?;
-        let mut needed = scales.iter().filter(|(sheet, _)| *sheet <= reading.sheet);
-        match needed.find(|(_, scale)| scale.is_none()) {
-            Some((sheet, _)) => Err(Unread::NoSheet(sheet)),
+        let mut needed = reading.sheet.with_those_needed().iter();
+        match needed.find(|sheet| scales[**sheet].is_none()) {
+            Some(sheet) => Err(Unread::NoSheet(*sheet)),
             None => Ok(reading),
         }
     });

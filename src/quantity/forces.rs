@@ -4,7 +4,7 @@ use super::name::{ForceOf, QuantityError, QuantityRequest};
 use super::says;
 use super::value::{Quantity, State};
 use crate::forces::{Forces, Posed, in_equilibrium};
-use crate::geometry::{Ball, Pair, Point, Vector};
+use crate::geometry::{Ball, Pair, Point};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use crate::motion::Places;
 
@@ -80,8 +80,12 @@ impl<S: State> Places for Here<'_, S> {
 }
 
 impl<S: State> Posed for Here<'_, S> {
-    fn axis(&self, body: BodyId) -> Pair<Ball> {
-        Pair::from(self.state.axis(body).unwrap_or_else(Vector::x)).unit()
+    fn axis(&self, body: BodyId) -> Option<Pair<Ball>> {
+        Some(Pair::from(self.state.axis(body)?).unit())
+    }
+
+    fn slide_position(&self, slider: SliderId) -> Option<Ball> {
+        self.state.slide_position(slider).map(Ball::from)
     }
 
     fn local(&self, body: BodyId, point: PointId) -> Pair<Ball> {

@@ -382,10 +382,10 @@ impl Finder<'_> {
     }
 
     fn slider(&self, name: &str) -> Result<SliderId, QuantityError> {
-        let names: Vec<String> = self.mechanism.slider_ids().map(|id| self.mechanism.slider_name(id)).collect();
-        let found = names.iter().position(|n| n == name).map(SliderId);
-        let known = || names.iter().map(String::as_str);
-        found.ok_or_else(|| unknown(self.name, Part::Slider, name, known()))
+        self.mechanism.slider_named(name).ok_or_else(|| {
+            let names: Vec<String> = self.mechanism.slider_ids().map(|id| self.mechanism.slider_name(id)).collect();
+            unknown(self.name, Part::Slider, name, names.iter().map(String::as_str))
+        })
     }
 
     /// The names of special points, each with the link to which it belongs.
@@ -470,7 +470,7 @@ pub fn readable_names(solution: &Solution) -> Vec<String> {
 /// Names of the lengths and segments that the construction measures, in its order.
 #[must_use]
 pub fn measured_names(construction: &Construction) -> Vec<String> {
-    let measured = construction.numbered_steps().filter(|step| step.action.is_measured());
+    let measured = construction.steps_by_hand().filter(|step| step.action.is_measured());
     measured.flat_map(|step| step.names()).collect()
 }
 
@@ -478,7 +478,7 @@ pub fn measured_names(construction: &Construction) -> Vec<String> {
 /// order.
 #[must_use]
 pub fn step_names(construction: &Construction) -> Vec<String> {
-    let mut steps: Vec<NumberedStep<'_>> = construction.numbered_steps().collect();
+    let mut steps: Vec<NumberedStep<'_>> = construction.steps_by_hand().collect();
     steps.sort_by_key(|step| !step.action.is_measured());
     steps.iter().flat_map(NumberedStep::names).collect()
 }

@@ -1,14 +1,16 @@
 //! How quantities are read from a hand drawing.
 
-use super::name::{AccelerationPart, QuantityRequest, Spot, What};
+use super::name::{AccelerationPart, Pole, PoleOf, QuantityRequest, Spot, What};
+use crate::construction::Spot as DrawnAt;
 use crate::construction::{
-    Along, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId, Product,
-    ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
+    Along, CenterId, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId,
+    Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::scene::{Component, QuantityName};
 use crate::sheet::{Order, Sheet};
 use indexmap::IndexMap;
+use std::collections::BTreeSet;
 
 /// How a quantity is read: a number of the construction, and the meaning of its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,7 +80,23 @@ pub fn read_by_hand(solution: &Solution, asked: &[QuantityRequest]) -> (Construc
     let readings = asked.iter().map(|asked| reader.reading(asked)).collect();
     let mut construction = reader.writer.construction;
     construction.operations.retain(|operation| operation.by_hand);
+    if construction.by_hand != Sheet::USUAL {
+        keep_drawn(&mut construction);
+    }
     (construction, readings)
+}
+
+/// Leaves out what is done on sheets that a hand does not draw, but for the given numbers that others need.
+fn keep_drawn(construction: &mut Construction) {
+    let Construction { operations, by_hand, .. } = construction;
+    let mut needed: BTreeSet<usize> = BTreeSet::new();
+    for operation in operations.iter().filter(|operation| by_hand.contains(&operation.sheet)) {
+        operation.kind.each_number_read(|number| needed.extend([number.0]));
+    }
+    operations.retain(|operation| match &operation.kind {
+        OperationKind::Take { number, .. } => needed.contains(&number.0),
+        _ => by_hand.contains(&operation.sheet),
+    });
 }
 
 struct Reader<'a> {
@@ -96,9 +114,10 @@ enum VectorSource {
 impl Reader<'_> {
     fn reading(&mut self, asked: &QuantityRequest) -> Result<Reading, Unread> {
         let (number, sense) = self.number(asked)?;
+        let sheet = asked.sheet_by_hand(&self.writer.construction);
         match self.writer.is_by_hand(number) {
             false => Err(Unread::NoConstruction),
-            true => Ok(Reading { number, sense, sheet: asked.sheet() }),
+            true => Ok(Reading { number, sense, sheet }),
         }
     }
 
@@ -110,27 +129,93 @@ impl Reader<'_> {
             What::SlidePosition(id) => self.slide_position(name, *id)?,
             What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
             What::Length(a, b) => return self.length(name, a, b),
-            What::Pole(_) | What::InflectionDiameter(_) | What::PathRadius(_) | What::Force(..) => {
+            What::Pole(pole) => return self.center(asked, pole),
+            What::InflectionDiameter(_) | What::PathRadius(_) | What::Force(..) => {
                 return Err(Unread::NotDrawn);
             }
+            What::Segment(order, _) if !self.draws(*order) => return Err(Unread::NoSheet(order.sheet())),
             What::Segment(order, ends) if asked.written.component.is_some() => {
                 return self.direction(*order, ends, name);
             }
             What::Segment(order, ends) => return self.segment(*order, ends),
+            What::Motion(Order::Velocity, Spot::Point(_, point, _), None) if !self.draws(Order::Velocity) => {
+                return self.by_centers(asked, *point);
+            }
             What::Motion(order, a, b) => {
+                self.needs(*order)?;
                 let drawn = self.vector(*order, a, b.as_ref())?;
                 return self.component(asked, drawn);
             }
             What::Coriolis(id, on) => {
+                self.needs(Order::Acceleration)?;
                 let drawn = self.coriolis(*id, *on)?;
                 return self.component(asked, drawn);
             }
             What::Part(part, a, b, link) => {
+                self.needs(Order::Acceleration)?;
                 let drawn = self.part(name, *part, a, b, *link)?;
                 return self.component(asked, drawn);
             }
         };
         Ok((number, Sense::Signed))
+    }
+
+    /// Whether a hand draws the plan.
+    fn draws(&self, order: Order) -> bool {
+        self.writer.construction.by_hand.contains(&order.sheet())
+    }
+
+    fn needs(&self, order: Order) -> Result<(), Unread> {
+        if self.draws(order) { Ok(()) } else { Err(Unread::NoSheet(order.sheet())) }
+    }
+
+    /// A coordinate of an instant centre, measured from the origin of the scene.
+    fn center(&mut self, asked: &QuantityRequest, pole: &Pole) -> Result<(NumberId, Sense), Unread> {
+        let how = match asked.written.component {
+            Some(Component::X) => MeasuredAs::X,
+            Some(Component::Y) => MeasuredAs::Y,
+            _ => return Err(Unread::NotDrawn),
+        };
+        let place = self.place_of_center(pole)?;
+        let origin = -self.writer.construction.origin.coords;
+        // Without a name: nobody takes it for a point of the figure.
+        let zero = self.writer.construction.place(Sheet::Centers, "");
+        let zero = zero.unwrap_or_else(|| self.writer.pole(Sheet::Centers, "", origin));
+        Ok((self.measure(Sheet::Centers, asked.name(), [zero, place], how), Sense::Signed))
+    }
+
+    /// An instant centre that is drawn.
+    fn drawn_center(&self, pole: &Pole) -> Result<CenterId, Unread> {
+        let PoleOf::Center(pair, _) = pole.of else { return Err(Unread::NotDrawn) };
+        self.writer.construction.centers.as_ref().and_then(|centers| centers.of(pair)).ok_or(Unread::NotDrawn)
+    }
+
+    fn place_of_center(&self, pole: &Pole) -> Result<PlaceId, Unread> {
+        let id = self.drawn_center(pole)?;
+        match self.writer.construction.center(id).map(|center| center.spot) {
+            Some(DrawnAt::At(place)) => Ok(place),
+            _ => Err(Unread::NotDrawn),
+        }
+    }
+
+    /// The velocity of a point by centres: its size is computed, its direction measured.
+    fn by_centers(&mut self, asked: &QuantityRequest, point: PointId) -> Result<(NumberId, Sense), Unread> {
+        let construction = &self.writer.construction;
+        let velocities = construction.centers.as_ref().map_or(&[][..], |centers| &centers.velocities);
+        let found = velocities.iter().find(|velocity| velocity.point == point);
+        let end = found.and_then(|velocity| velocity.end).ok_or(Unread::NoSheet(Sheet::Velocity))?;
+        let is_own = |kind: &NumberKind| *kind == NumberKind::SpeedByCenters(point);
+        match asked.written.component {
+            Some(Component::Size) => {
+                let number = construction.numbers.iter().position(is_own).map(NumberId);
+                Ok((number.ok_or(Unread::NotDrawn)?, Sense::Magnitude))
+            }
+            Some(Component::Angle) => {
+                let at = self.writer.plot_on(Sheet::Centers, point);
+                Ok((self.measure(Sheet::Centers, asked.name(), [at, end], MeasuredAs::Direction), Sense::Angle))
+            }
+            _ => Err(Unread::NotDrawn),
+        }
     }
 
     /// One number of a vector: measured from the segment, or computed.
@@ -206,8 +291,19 @@ impl Reader<'_> {
             Rate::Angular(_, link) => self.is_given(link),
             Rate::Slide(_, id) => self.writer.mechanism.slider(id).drive.is_some(),
         };
+        if !is_given && !self.draws(rate.order()) {
+            return self.rate_by_centers(rate);
+        }
         let number = if is_given { None } else { self.rate_or_given(rate)? };
         number.ok_or(Unread::Given)
+    }
+
+    /// An angular velocity that is found by distances of centres.
+    fn rate_by_centers(&self, rate: Rate) -> Result<NumberId, Unread> {
+        let Rate::Angular(Order::Velocity, link) = rate else { return Err(Unread::NoSheet(rate.order().sheet())) };
+        let mut numbers = self.writer.construction.numbers.iter();
+        let found = numbers.position(|kind| *kind == NumberKind::RateByCenters(link));
+        found.map(NumberId).ok_or(Unread::NoSheet(Sheet::Velocity))
     }
 
     /// Whether the rotation of a link is given, its own or that of a body with which sliders make it turn alike.
@@ -271,8 +367,12 @@ impl Reader<'_> {
         {
             return Ok((number, Sense::Magnitude));
         }
-        let ends = [self.scheme_point(a)?, self.scheme_point(b)?];
-        Ok((self.measure(Sheet::Scheme, name, ends, MeasuredAs::Size), Sense::Distance))
+        let sheet = match [a, b].iter().any(|spot| matches!(spot, Spot::Pole(_))) {
+            true => Sheet::Centers,
+            false => Sheet::Scheme,
+        };
+        let ends = [self.point_on(sheet, a)?, self.point_on(sheet, b)?];
+        Ok((self.measure(sheet, name, ends, MeasuredAs::Size), Sense::Distance))
     }
 
     /// The length of a segment of a plan: the one that the construction measures, else one measured for this reading.
@@ -314,11 +414,21 @@ impl Reader<'_> {
             Spot::Point(_, point, name) => {
                 (self.writer.mechanism.point_name(*point) == name).then_some(End::Joint(*point))
             }
-            Spot::Pole(_) => None,
+            Spot::Pole(pole) => self.drawn_center(pole).ok().map(End::Center),
             Spot::Special(name) => {
                 let mut special = self.writer.construction.special.iter();
                 special.position(|s| s.name == *name).map(|index| End::Special(SpecialId(index)))
             }
+        }
+    }
+
+    /// A point of a sheet that shows the mechanism.
+    fn point_on(&mut self, sheet: Sheet, spot: &Spot) -> Result<PlaceId, Unread> {
+        match spot {
+            Spot::Pole(pole) => self.place_of_center(pole),
+            Spot::Point(_, point, _) if sheet == Sheet::Centers => Ok(self.writer.plot_on(sheet, *point)),
+            _ if sheet == Sheet::Centers => Err(Unread::NotDrawn),
+            _ => self.scheme_point(spot),
         }
     }
 

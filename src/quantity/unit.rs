@@ -1,5 +1,5 @@
 use super::name::{AccelerationPart, ForceOf, Pole, PoleOf, QuantityRequest, Spot, What};
-use crate::construction::Rate;
+use crate::construction::{Construction, Rate};
 use crate::mechanism::Mechanism;
 use crate::scene::Component;
 use crate::sheet::{Order, QuantityKind, Sheet};
@@ -74,10 +74,34 @@ impl QuantityRequest {
         }
     }
 
-    /// The sheet from which it is read.
+    /// The sheet from which it is read, where the figure has its plan.
     #[must_use]
     pub fn sheet(&self) -> Sheet {
-        self.order().map_or(Sheet::Scheme, Order::sheet)
+        match &self.what {
+            What::Pole(_) | What::Length(Spot::Pole(_), _) | What::Length(_, Spot::Pole(_)) => Sheet::Centers,
+            _ => self.order().map_or(Sheet::Scheme, Order::sheet),
+        }
+    }
+
+    /// The sheet from which it is read where a hand draws: rates and velocities without a plan are found by instant centres.
+    #[must_use]
+    pub fn sheet_by_hand(&self, construction: &Construction) -> Sheet {
+        let own = self.sheet();
+        let has_plan = own.order().is_none() || construction.by_hand.contains(&own);
+        if has_plan { own } else { Sheet::Centers }
+    }
+
+    /// The instant centres in its name.
+    pub(crate) fn centers(&self) -> impl Iterator<Item = &Pole> {
+        let poles = match &self.what {
+            What::Pole(pole) => [Some(pole), None],
+            What::Length(a, b) => [a, b].map(|spot| match spot {
+                Spot::Pole(pole) => Some(pole),
+                _ => None,
+            }),
+            _ => [None, None],
+        };
+        poles.into_iter().flatten().filter(|pole| matches!(pole.of, PoleOf::Center(..)))
     }
 
     /// Whether it is a length on its sheet; rates are computed from lengths.
@@ -141,6 +165,13 @@ impl QuantityRequest {
             What::Coriolis(id, _) => slide(Order::Acceleration, SlidePart::Coriolis, *id),
             What::Coordinate(0, spot) => plain("x", shown(spot.name())),
             What::Coordinate(_, spot) => plain("y", shown(spot.name())),
+            What::Length(a, b) if self.sheet() == Sheet::Centers => {
+                let end = |spot: &Spot| match spot {
+                    Spot::Pole(Pole { of: PoleOf::Center(pair, _), .. }) => pair.symbol(mechanism, notation, shown),
+                    _ => shown(spot.name()),
+                };
+                Symbol { after: format!("{} {}", end(a), end(b)), ..plain("", String::new()) }
+            }
             What::Length(a, b) => relative("L", "", a.name(), Some(b.name())),
             What::Pole(Pole { of: PoleOf::Center(pair, _), .. }) => Symbol {
                 after: String::new(),

@@ -6,6 +6,7 @@ use super::error::{Wrong, number};
 use super::given::GivenBy;
 use super::joint::On;
 use super::names::Names;
+use super::over::{Over, OverFile};
 use super::says;
 use super::value::{Direction, OneOf, Vector, choice, several_forms};
 use super::write::{Write, Written, write_forms, write_keys};
@@ -100,9 +101,11 @@ pub(super) struct LoadFile {
     couple: Option<f64>,
     /// Whether the force turns with the link: then its components are along the link's axis and normal to it.
     turns: Option<bool>,
+    /// How often the force and the couple act over the motion; left out: once everywhere.
+    over: Option<OverFile>,
 }
 
-write_keys!(LoadFile { name, on, at, force, couple, turns });
+write_keys!(LoadFile { name, on, at, force, couple, turns, over });
 
 /// A force and a couple on a link.
 #[derive(Debug, Clone, PartialEq)]
@@ -119,6 +122,8 @@ pub struct Load {
     pub couple: f64,
     /// Whether the force turns with the link.
     pub turns: bool,
+    /// How often both act over the motion; once everywhere where there is none.
+    pub over: Option<Over>,
 }
 
 /// A spring between two places, in the file.
@@ -311,7 +316,7 @@ impl Places<'_> {
     }
 
     fn load(&self, file: LoadFile, taken: &mut IndexSet<String>, counted: &mut [usize; 2]) -> Result<Load, Wrong> {
-        let LoadFile { name, on, at, force, couple, turns } = file;
+        let LoadFile { name, on, at, force, couple, turns, over } = file;
         self.names.link(&["on"], &on)?;
         if force.is_none() && couple.is_none() {
             return Err(Wrong::value(&[], says::neither_force_nor_couple()).hint(says::add(r#""force": [0, -80]"#)));
@@ -326,11 +331,12 @@ impl Places<'_> {
             let message = if force.is_none() { says::couple_turns() } else { says::turns_is_drawn() };
             return Err(Wrong::key(&["turns"], message).hint(says::leave_key_out()));
         }
+        let over = over.map(|over| over.read(self.names).map_err(|wrong| wrong.inside(&["over"]))).transpose()?;
         let (letter, count) = if force.is_some() { ("F", &mut counted[0]) } else { ("M", &mut counted[1]) };
         *count += 1;
         let name = own_name(name, letter, *count, taken)?;
         let force = force.map_or([0.0; 2], |Vector(force)| force);
-        Ok(Load { name, on, at, force, couple: couple.unwrap_or(0.0), turns: turns.unwrap_or(false) })
+        Ok(Load { name, on, at, force, couple: couple.unwrap_or(0.0), turns: turns.unwrap_or(false), over })
     }
 
     fn spring(&self, file: SpringFile, taken: &mut IndexSet<String>, index: usize) -> Result<Spring, Wrong> {

@@ -276,6 +276,14 @@ messages! { "scene":
     load_name(name);
     load_name_twice(name);
     other_load_name;
+    over_what(name);
+    over_angle_or_position;
+    over_short;
+    over_two_lines;
+    over_back(after, before);
+    over_in_order;
+    over_more_than_a_turn;
+    over_one_turn;
     spring_ends(count);
 
     // The figure.

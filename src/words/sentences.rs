@@ -379,10 +379,12 @@ sentences! {
     // The sheets of exercises.
     exercise_given(all);
     exercise_draw(scales);
+    exercise_centers(scales);
     exercise_guide(slider, place, degrees);
     exercise_guide_through(slider, line);
     exercise_room(velocity, acceleration, paper);
     exercise_sheets;
+    exercise_center_sheet;
     sheet_markers;
     exercise_senses;
     exercise_senses_of_slides(slides);

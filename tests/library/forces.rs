@@ -367,3 +367,101 @@ fn without_loads_nothing_is_said() {
     let solution = solved(&scene.to_string()).expect("it is solved");
     assert!(solution.forces().is_none() && result(&solution).get("forces").is_none());
 }
+
+/// A slider-crank with a force on its slider of a size as a table says over the crank's angle or the slider's position.
+fn pressed(angle: f64, force: &Value, over: &Value) -> Value {
+    json!({
+        "kinegon": 1, "units": { "length": "mm", "time": "s", "force": "N" }, "ground": { "A": [0, 0] },
+        "links": {
+            "1": { "points": ["A", "B"], "lengths": { "AB": 50 }, "drive": { "angle": angle, "omega": 10 } },
+            "2": { "points": ["B", "C"], "lengths": { "BC": 150 } }, "3": { "points": ["C"] },
+        },
+        "sliders": [{ "link": "3", "at": "C", "on": "ground", "through": [0, 0], "along": 0 }],
+        "near": { "C": [150, 0] },
+        "forces": [{ "on": "3", "at": "C", "force": force, "over": over }],
+    })
+}
+
+/// Where the slider of [`pressed`] is, by the law of cosines.
+fn slider_at(angle: f64) -> f64 {
+    let (sine, cosine) = (libm::sin(angle.to_radians()), libm::cos(angle.to_radians()));
+    50.0 * cosine + libm::sqrt(150.0 * 150.0 - 2500.0 * sine * sine)
+}
+
+/// What the crank needs, and its stated error, is that of a force which is constant at the table's value here.
+fn is_as_constant(angle: f64, over: &Value, times: f64) {
+    let found = &forces(&pressed(angle, &json!([-2, 0]), over))["drives"]["1"];
+    let mut constant = pressed(angle, &json!([-2.0 * times, 0]), &Value::Null);
+    constant["forces"][0].as_object_mut().expect("a load").remove("over");
+    let expected = torque(&constant);
+    let [torque, error] = ["torque", "error"].map(|key| found[key].as_f64().expect("a number"));
+    let off = (torque - expected).abs();
+    assert!(
+        off <= 1e-12 * expected.abs() + 1e-12 && error <= 1e-12 * expected.abs() + 1e-12,
+        "{angle}: {torque} ± {error}, not {expected}"
+    );
+}
+
+#[test]
+fn a_load_over_an_angle_follows_its_table() {
+    let table = json!({ "of": "angle(1)", "table": [[0, 10], [40, 30], [120, -10], [120, 5], [300, 20]] });
+    // In proportion between two lines; from 300° on to the first line of the next turn.
+    for (angle, times) in
+        [(20.0, 20.0), (60.0, 20.0), (80.0, 10.0), (121.0, 5.0 + 15.0 / 180.0), (210.0, 12.5), (330.0, 15.0)]
+    {
+        is_as_constant(angle, &table, times);
+        is_as_constant(angle - 360.0, &table, times);
+    }
+    // On either side of the jump; a table may begin anywhere in the turn.
+    is_as_constant(120.0 - 1e-9, &table, -10.0 + 0.5e-9);
+    is_as_constant(120.0 + 1e-9, &table, 5.0 + 15.0 / 180.0 * 1e-9);
+    is_as_constant(10.0, &json!({ "of": "angle(1)", "table": [[-90, 0], [90, 18], [270, 0]] }), 10.0);
+    // At the jump itself nobody knows on which side the crank is: the bound has both.
+    let at = &forces(&pressed(120.0, &json!([-2, 0]), &table))["drives"]["1"];
+    let [torque, error] = ["torque", "error"].map(|key| at[key].as_f64().expect("a number"));
+    let mut other = pressed(120.0, &json!([20, 0]), &Value::Null);
+    other["forces"][0].as_object_mut().expect("a load").remove("over");
+    let other = self::torque(&other);
+    assert!((torque - other).abs() <= error * (1.0 + 1e-12), "{torque} ± {error}, {other}");
+}
+
+#[test]
+fn a_load_over_a_position_follows_its_table() {
+    let table = json!({ "of": "position(3/ground)", "table": [[120, 4], [160, 4], [160, 8], [190, 2]] });
+    let expected = |at: f64| match at {
+        ..160.0 => 4.0,
+        160.0..190.0 => 8.0 - 6.0 * (at - 160.0) / 30.0,
+        _ => 2.0,
+    };
+    for angle in [5.0, 25.0, 50.0, 70.0, 100.0, 150.0, 175.0, 300.0] {
+        is_as_constant(angle, &table, expected(slider_at(angle)));
+    }
+}
+
+#[test]
+fn a_load_over_no_slider_is_refused() {
+    let over = json!({ "of": "position(2/ground)", "table": [[0, 1], [1, 2]] });
+    let error =
+        solved(&pressed(30.0, &json!([1, 0]), &over).to_string()).expect_err("there is no such slider").to_string();
+    assert!(error.contains("there is no slider 2/ground over whose position a load could change"), "{error}");
+}
+
+/// A table of a motion takes the force of each position.
+#[test]
+fn over_a_cycle_each_position_has_its_load() {
+    let table = json!({ "of": "angle(1)", "table": [[0, 0], [90, 100], [180, 0]] });
+    let solution = solved(&pressed(10.0, &json!([-1, 0]), &table).to_string()).expect("it can be solved");
+    let drive = Drive::new(&solution.mechanism, None).expect("a crank");
+    let mut path = Path::new(&solution.mechanism, &solution.pose, drive).expect("it moves");
+    path.follow_to(360.0);
+    let asked = kinegon::quantity::QuantityRequest::new("T(1)", &solution.mechanism).expect("it is known");
+    for angle in [10.0, 45.0, 100.0, 135.0, 200.0, 355.0] {
+        let mut walker = path.walker();
+        let there = walker.position(angle).expect("it has this position");
+        let found = asked.value(&there, None, None).expect("a value").as_number();
+        let times = if (0.0..180.0).contains(&angle) { 100.0 - (angle - 90.0).abs() / 0.9 } else { 0.0 };
+        let (at, step) = (slider_at(angle), 1e-4);
+        let rate = (slider_at(angle + step) - slider_at(angle - step)) / (2.0 * step.to_radians());
+        assert!((found - times * rate).abs() <= 1e-5 * (1.0 + (times * rate).abs()), "{angle}: {found} at {at}");
+    }
+}

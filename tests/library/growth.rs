@@ -109,8 +109,8 @@ fn points_of_a_link() {
         }),
     );
     // The search for names' places is bounded, and is most of it.
-    grows_at_most(6.0, "a figure", growth(400, with, |own| drop(own.figure())));
-    grows_at_most(6.0, "a figure in steps", growth(300, with, |own| drop(own.coarse_figure())));
+    is_in_proportion("a figure", growth(400, with, |own| drop(own.figure())));
+    is_in_proportion("a figure in steps", growth(300, with, |own| drop(own.coarse_figure())));
 }
 
 #[test]
@@ -158,6 +158,19 @@ fn forms_of_nonsense_for_many_links() {
     });
     // The bands of all values, each with the errors of all operations before it.
     grows_at_most(25.0, "a form of nonsense", grown);
+}
+
+/// Each named load is looked up among the others once.
+#[test]
+fn loads_with_names() {
+    let with = |count: usize| {
+        let loads = (0..count).map(|k| serde_json::json!({ "name": format!("F{k}"), "on": "2", "couple": k }));
+        let mut scene: serde_json::Value = serde_json::from_str(&four_bar("loads", "")).expect("it is JSON");
+        scene["units"]["force"] = "N".into();
+        scene["forces"] = loads.collect();
+        scene.to_string()
+    };
+    is_in_proportion("reading loads", growth(2500, with, |text| drop(Scene::read(text).expect("a good scene"))));
 }
 
 /// Drives that turn equally fast take a mechanism through the same positions: these are looked at once.

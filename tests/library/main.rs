@@ -12,6 +12,7 @@
 //!   centres of three links to a line.
 //! - Lines to poles: `kennedy` holds instant centres by Kennedy's lines to independent digits and to the motion, and finds them for all chains of four, six and eight
 //!   links with the fewest crossings.
+//!   `centers_checked` holds forms of centres to independent digits.
 //! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles, `studies` the assemblies of a study's mechanisms to those of each by itself; `planted_modes` and
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
 //!   `levers` turns slotted levers round.
@@ -56,6 +57,7 @@ mod board_shown;
 mod boards;
 mod camera;
 mod centers;
+mod centers_checked;
 mod cheats;
 mod committed_files;
 mod complete_plans;

@@ -152,6 +152,36 @@ macro_rules! catalogue {
                 wrong_scale(segment, wrong, scale)
                 scale_forgotten(segment, scale)
             }
+            /// The centre of a guide sought along it, not normal to it.
+            CenterAlongGuide "centre-along-guide" 6.0 centers::along_guide { center_along_guide(center, guide) }
+            /// The centre of a guide taken in the pin of its block.
+            CenterAtSlider "centre-at-slider" 3.0 centers::at_slider { center_at_slider(center, pin, guide) }
+            /// An instant centre marked where lines cross that do not both lead to it.
+            LinesWithoutCommonLink "lines-without-common-link" 5.0 centers::other_lines {
+                line_without_common_link(center, wrong, right)
+                /// Where the lines of another centre cross.
+                center_of_other_lines(center, other)
+                centers_swapped(first, second)
+            }
+            /// A ratio of distances of centres upside down.
+            RatioInverted "ratio-inverted" 5.0 centers::ratio_inverted { ratio_inverted(rate, over, under) }
+            /// The sense of a rate or a velocity by centres reversed.
+            SenseByCenter "sense-by-centre" 6.0 centers::sense_by_center {
+                sense_by_center(rate)
+                velocity_reversed(velocity)
+            }
+            /// A distance from another place than the centre that is meant.
+            DistanceFromWrongCenter "distance-from-wrong-centre" 5.0 centers::from_wrong_center {
+                distance_from_wrong_center(length, from, to)
+            }
+            /// The lines of a centre not drawn far enough, other ones crossed.
+            NotExtended "not-extended" 3.0 centers::not_extended { not_extended(center, first, second) }
+            /// A velocity laid off along its ray.
+            VelocityAlongRay "velocity-along-ray" 3.0 centers::velocity_along_ray { velocity_along_ray(velocity) }
+            /// A centre in a pin of three links missed.
+            PinOfThree "pin-of-three" 2.0 centers::pin_of_three { pin_of_three(center, pin) }
+            /// Millimetres of paper of the figure of centres taken for lengths.
+            LengthsWithoutScale "lengths-without-scale" 4.0 rates::without_scale { lengths_without_scale(lengths, scale) }
             /// The other assembly mode.
             OtherMode "other-mode" 4.0 lengths::other_mode { other_mode() }
             /// The mechanism drawn at another angle of its crank.

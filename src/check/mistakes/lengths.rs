@@ -52,7 +52,13 @@ pub(super) fn component(site: &Site<'_>) -> Vec<Candidate> {
 /// A segment of a plan measured from or to another point.
 pub(super) fn wrong_segment(site: &Site<'_>) -> Vec<Candidate> {
     let told = |number, from, to| tell::wrong_segment(site.quantity(number), from, to);
-    ends_elsewhere(site, told, |sheet| sheet != Sheet::Scheme)
+    ends_elsewhere(site, told, |sheet| sheet.order().is_some())
+}
+
+/// A distance on the figure of instant centres measured from or to another place.
+pub(super) fn wrong_distance(site: &Site<'_>) -> Vec<Candidate> {
+    let told = |number, from, to| tell::distance_from_wrong_center(site.quantity(number), from, to);
+    ends_elsewhere(site, told, |sheet| sheet == Sheet::Centers)
 }
 
 /// Measures from or to another place of a sheet that is meant, told by the number and the places.

@@ -3,6 +3,7 @@
 //! languages' files, `words/*.ftl`, each pair under the key that the row names with `-done` and `-should` behind it.
 
 mod catalogue;
+mod centers;
 mod copying;
 mod images;
 mod lengths;

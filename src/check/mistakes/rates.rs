@@ -5,7 +5,7 @@ use super::site::{Candidate, Reinterpretation, Site, Term, times};
 use super::told::{Blank, Mistake, Told, tell};
 use super::vectors::OfTerm;
 use crate::check::entry::Entry;
-use crate::construction::{Change, Disturbance, NumberId, NumberKind, OperationKind, ProductKind, Rate};
+use crate::construction::{Change, Disturbance, MeasuredAs, NumberId, NumberKind, OperationKind, ProductKind, Rate};
 use crate::quantity::{QuantityKind, What};
 use crate::scene::{LengthUnit, TimeUnit};
 use crate::sheet::{Order, Sheet};
@@ -16,6 +16,7 @@ fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)
         let rates = operation.kind.numbers().iter().map(move |&number| (number, site.number_kind(number)));
         rates.filter_map(move |(number, kind)| match kind {
             NumberKind::Rate(rate) => Some((index, number, *rate)),
+            NumberKind::RateByCenters(link) => Some((index, number, Rate::Angular(Order::Velocity, *link))),
             _ => None,
         })
     })
@@ -23,10 +24,25 @@ fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)
 
 /// A rate taken with the wrong sense: in all that follows, or only as it is written.
 pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
-    let taken = rates(site).filter_map(|(operation, number, _)| {
+    // `centers::sense_by_center` has those by centres.
+    let of_plans = rates(site).filter(|(_, number, _)| matches!(site.number_kind(*number), NumberKind::Rate(_)));
+    let taken = of_plans.filter_map(|(operation, number, _)| {
         let mut candidate = site.candidate(tell::wrong_sense(as_asked(site, number)), times(operation, number, -1.0));
         if site.is_given(number) {
-            let first = site.all_terms().find(|term| term.product().of.contains(&number))?.vector;
+            let Some(first) = site.all_terms().find(|term| term.product().of.contains(&number)) else {
+                // On the figure of centres no vector shows it.
+                let reads = |kind: &OperationKind| {
+                    let mut reads = false;
+                    kind.each_number_read(|other| reads |= other == number);
+                    reads
+                };
+                // Where one operation alone reads it, the sense is rather wrong in what that finds.
+                let mut all = site.operations().filter(|(_, operation)| reads(&operation.kind));
+                let ((first, _), _) = (all.next()?, all.next()?);
+                candidate.step = site.model.steps[first];
+                return Some(candidate);
+            };
+            let first = first.vector;
             candidate.step = site.model.steps[first.operation];
             let [from, to] = first.blanks();
             candidate.told = tell::wrong_sense_given(site.symbol(number), from, to);
@@ -235,17 +251,33 @@ pub(super) fn degrees(site: &Site<'_>) -> Vec<Candidate> {
 
 /// Segments converted to values with the scale of another sheet: one of them, or all of a sheet.
 pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = at_wrong_scales(site);
+    found.retain(|candidate| candidate.mistake() == Mistake::WrongScale);
+    found
+}
+
+/// The same without a scale on the figure of instant centres.
+pub(super) fn without_scale(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = at_wrong_scales(site);
+    found.retain(|candidate| candidate.mistake() == Mistake::LengthsWithoutScale);
+    found
+}
+
+fn at_wrong_scales(site: &Site<'_>) -> Vec<Candidate> {
     let own = site.model.scales;
+    let drawn = &site.model.construction.by_hand;
     let squared = own[Sheet::Velocity] * own[Sheet::Velocity] / own[Sheet::Scheme];
-    let scales = own.iter().map(|(sheet, scale)| (sheet.facts().scale_symbol, *scale)).chain([("μ_v²/μ_l", squared)]);
+    let squared = drawn.contains(&Sheet::Velocity).then_some(("μ_v²/μ_l", squared));
+    let scales = drawn.iter().map(|sheet| (sheet.facts().scale_symbol, own[*sheet])).chain(squared);
     let mut found = Vec::new();
-    for (sheet, &right) in own.iter() {
+    for &sheet in drawn {
+        let right = own[sheet];
         let own = sheet.facts().scale_symbol;
-        let measured: Vec<(usize, NumberId, &str)> = site
+        let measured: Vec<(usize, NumberId, &str, MeasuredAs)> = site
             .operations()
             .filter(|(_, operation)| operation.sheet == sheet)
             .filter_map(|(index, operation)| match operation.kind {
-                OperationKind::Measure { number, .. } => Some((index, number, site.number_name(number))),
+                OperationKind::Measure { number, how, .. } => Some((index, number, site.number_name(number), how)),
                 _ => None,
             })
             .collect();
@@ -261,20 +293,31 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
             }
             let told = |segment| match wrong {
                 Some(wrong) => tell::wrong_scale(segment, wrong.into(), own.into()),
+                None if sheet == Sheet::Centers => tell::lengths_without_scale(segment, own.into()),
                 None => tell::scale_forgotten(segment, own.into()),
             };
-            let mut all = None;
-            for &(operation, number, _) in measured.iter().filter(|m| !is_angle(m.2)) {
+            let (mut all, mut distances) = (None, None);
+            for &(operation, number, _, how) in measured.iter().filter(|m| !is_angle(m.2)) {
                 let one = at_wrong_scale(site, told(site.quantity(number)), operation, number, ratio);
-                let together = all.get_or_insert_with(|| Candidate::at(told(Blank::AllSegments), one.step));
-                together.edits.extend(one.edits.iter().cloned());
-                together.reinterpreted.extend(one.reinterpreted.iter().copied());
-                together.passed_on.extend(one.passed_on.iter().cloned());
+                let add = |all: &mut Option<Candidate>| {
+                    let together = all.get_or_insert_with(|| Candidate::at(told(Blank::AllSegments), one.step));
+                    together.edits.extend(one.edits.iter().cloned());
+                    together.reinterpreted.extend(one.reinterpreted.iter().copied());
+                    together.passed_on.extend(one.passed_on.iter().cloned());
+                };
+                add(&mut all);
+                if !matches!(how, MeasuredAs::X | MeasuredAs::Y) {
+                    add(&mut distances);
+                }
                 if one.changes().next().is_some() {
                     found.push(one);
                 }
             }
-            found.extend(all.filter(|all| all.changes().count() > 1));
+            // The distances alone, where coordinates are measured, too.
+            let distances = distances.filter(|some| {
+                all.as_ref().is_some_and(|all: &Candidate| all.changes().count() > some.changes().count())
+            });
+            found.extend([all, distances].into_iter().flatten().filter(|all| all.changes().count() > 1));
         }
     }
     found

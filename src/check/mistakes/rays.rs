@@ -188,7 +188,7 @@ fn measured_there(site: &Site<'_>, mut candidate: Candidate, place: PlaceId) -> 
 }
 
 /// The lines through two pins of a link, by the pins' names: a point of each and its direction.
-fn sides(site: &Site<'_>) -> Vec<(String, (Vector, Vector))> {
+pub(super) fn sides(site: &Site<'_>) -> Vec<(String, (Vector, Vector))> {
     let solution = site.key.solution;
     let place = |point| solution.pose.point(point) - site.model.construction.origin;
     let mut found = Vec::new();

@@ -10,6 +10,7 @@ use crate::construction::{
     ProductKind, Rate,
 };
 use crate::geometry::{Vector, unit};
+use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use std::sync::Arc;
 
@@ -92,6 +93,8 @@ pub(in crate::check) struct Free {
     pub is_angle: bool,
     /// Standard deviation of the amounts that occur: mm, degrees, or the unit of the number.
     pub range: f64,
+    /// Whether the amount has the sign of the right one: a distance from which a rate is found is never negative.
+    pub keeps_sign: bool,
 }
 
 /// What is wrong by a free amount.
@@ -171,9 +174,11 @@ impl Site<'_> {
         Blank::Quantity(self.number_name(number).to_owned())
     }
 
-    /// A place by its name.
+    /// A place by its name; an instant centre by its symbol.
     pub fn place(&self, place: PlaceId) -> Blank {
-        self.place_name(place).into()
+        let name = self.place_name(place);
+        let is_center = QuantityName::parse(name).is_some_and(|name| name.head == Head::Center);
+        if is_center { Blank::Quantity(name.to_owned()) } else { name.into() }
     }
 
     pub fn number_kind(&self, number: NumberId) -> &NumberKind {

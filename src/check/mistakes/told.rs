@@ -162,7 +162,7 @@ pub(in crate::check) fn symbol(name: &str) -> Option<String> {
     let letter = match name.head {
         Head::Omega => "ω",
         Head::Alpha => "α",
-        Head::Between(Sheet::Scheme) => "L",
+        Head::Between(Sheet::Scheme) if name.arguments.iter().all(|end| QuantityName::parse(end).is_none()) => "L",
         _ => return None,
     };
     Some(format!("{letter}_{}", name.arguments.concat()))

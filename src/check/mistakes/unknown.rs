@@ -25,7 +25,14 @@ pub(super) fn everywhere(site: &Site<'_>) -> Vec<Candidate> {
                     Amount::Error(_) if is_angle => TURN,
                     Amount::Error(_) => extents[operation.sheet],
                 };
-                Free { operation: index, what, is_angle, range }
+                let is_measured = matches!(operation.kind, OperationKind::Measure { .. });
+                Free {
+                    operation: index,
+                    what,
+                    is_angle,
+                    range,
+                    keeps_sign: is_measured && operation.sheet == Sheet::Centers,
+                }
             };
             let free: Vec<Free> = amounts.iter().map(free).collect();
             // The name of the first value that is wrong follows; until then each place has a name of its own.

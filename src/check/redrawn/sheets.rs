@@ -301,8 +301,8 @@ impl<'a> Sheets<'a> {
     /// A place of a sheet in the panel's coordinates.
     fn on_figure(&self, sheet: Sheet, at: Vector) -> Point {
         match sheet {
-            Sheet::Scheme => self.own.construction.origin + at,
-            _ => Point::from(at),
+            Sheet::Scheme | Sheet::Centers => self.own.construction.origin + at,
+            Sheet::Velocity | Sheet::Acceleration => Point::from(at),
         }
     }
 }

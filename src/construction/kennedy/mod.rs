@@ -115,6 +115,14 @@ impl Center {
         !matches!(self.origin, CenterOrigin::Lines { .. })
     }
 
+    /// Names of the quantities that its place gives: its coordinates, where it is a centre of the mechanism itself that lines lead to, and not at infinity.
+    #[must_use]
+    pub fn quantities(&self) -> Vec<String> {
+        let is_read = !self.is_permanent() && self.figure == FigureOf::Mechanism && self.place.finite().is_some();
+        let axes = if is_read { &["x", "y"][..] } else { &[] };
+        axes.iter().map(|axis| format!("{}.{axis}", self.name)).collect()
+    }
+
     /// Its lines; none of a permanent one.
     #[must_use]
     pub fn lines(&self) -> &[CenterLine] {

@@ -31,6 +31,8 @@ pub struct CenterVelocity {
     pub velocity: Vector,
     /// The angular velocity of the link.
     pub omega: f64,
+    /// Names of the quantities that are found with it: the distance that is measured, size and direction.
+    pub names: Vec<String>,
 }
 
 impl CenterVelocity {
@@ -56,7 +58,16 @@ impl Writer<'_> {
             };
             let link = holders().find(is_pivoted).or_else(|| holders().next())?;
             let (arrow, velocity) = (Vector::zeros(), Vector::zeros());
-            Some(CenterVelocity { point: *point, link, driver, end: None, arrow, velocity, omega: 0.0 })
+            Some(CenterVelocity {
+                point: *point,
+                link,
+                driver,
+                end: None,
+                arrow,
+                velocity,
+                omega: 0.0,
+                names: Vec::new(),
+            })
         };
         points.iter().filter_map(plan).collect()
     }
@@ -77,12 +88,14 @@ impl Writer<'_> {
                 let rate = if link == driver { given } else { self.rate_by_centers(link, driver, given)? };
                 found.omega = self.number(rate);
                 if link != driver {
-                    self.finish(step, Action::RateByCenters { link, driver, value: found.omega });
+                    let names = self.names_of_rate(link, driver, rate);
+                    self.finish(step, Action::RateByCenters { link, driver, value: found.omega, names });
                 }
                 let to = self.plot_on(Sheet::Centers, point);
                 let line = self.join_places(Sheet::Centers, OperationRole::Line, [from, to]);
                 let kind = NumberKind::Length([End::Center(pole), End::Joint(point)]);
                 let arm = self.measure(Sheet::Centers, kind, [from, to], MeasuredAs::Along(line));
+                found.names.push(self.construction.number_name(self.mechanism, arm));
                 (Product::new(ProductKind::Turning, 1.0, &[rate, arm]), Along::line(line).turned(1))
             }
             // The link does not turn: it moves as the driven link does in their common centre.
@@ -93,13 +106,18 @@ impl Writer<'_> {
                 let line = self.join_places(Sheet::Centers, OperationRole::Line, [from, to]);
                 let kind = NumberKind::Length([End::Center(fixed), End::Center(common)]);
                 let arm = self.measure(Sheet::Centers, kind, [from, to], MeasuredAs::Along(line));
+                found.names.push(self.construction.number_name(self.mechanism, arm));
                 (Product::new(ProductKind::Turning, 1.0, &[given, arm]), Along::line(line).turned(1))
             }
         };
         let step = self.begin(Sheet::Centers);
         let per_rate = 1.0 / self.number(given).abs();
         let at = self.plot_on(Sheet::Centers, point);
-        let end = self.lay_off(Sheet::Centers, at, vec![size.times(per_rate)], along);
+        let speed = self.compute(Sheet::Centers, NumberKind::SpeedByCenters(point), vec![size]);
+        let on_paper = Product::new(ProductKind::Plain, per_rate, &[speed]);
+        let end = self.lay_off(Sheet::Centers, at, vec![on_paper], along);
+        let point = self.mechanism.point_name(point);
+        found.names.extend(["size", "angle"].map(|part| format!("v({point}).{part}")));
         found.end = Some(end);
         found.arrow = (self.exact_place(end) - self.exact_place(at)).rounded();
         found.velocity = found.arrow / per_rate;
@@ -141,6 +159,26 @@ impl Writer<'_> {
         };
         let found = self.solve(Sheet::Centers, vec![NumberKind::RateByCenters(link)], vec![equation])?;
         found.first().copied()
+    }
+
+    /// The names of the distances from which an angular velocity is found, and its own.
+    fn names_of_rate(&self, link: BodyId, driver: BodyId, rate: NumberId) -> Vec<String> {
+        let centers = self.construction.centers.as_deref();
+        let name = |a: BodyId, b: BodyId| {
+            let centers = centers?;
+            Some(centers.get(centers.of(LinkPair::new(a, b)?)?).name.as_str())
+        };
+        let own = self.construction.number_name(self.mechanism, rate);
+        let common = centers.zip(LinkPair::new(driver, link)).and_then(|(all, pair)| Some(all.get(all.of(pair)?)));
+        // Of links that turn alike nothing is measured.
+        if common.is_none_or(|common| common.place.finite().is_none()) {
+            return vec![own];
+        }
+        let lengths = [driver, link].map(|body| {
+            let [from, to] = [name(body, GROUND)?, name(driver, link)?];
+            Some(Sheet::Centers.segment_name(from, to))
+        });
+        lengths.into_iter().flatten().chain([own]).collect()
     }
 
     fn center_of_links(&mut self, a: BodyId, b: BodyId) -> Option<CenterId> {

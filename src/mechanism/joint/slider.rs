@@ -130,6 +130,12 @@ impl Mechanism {
         self.slider_name_with(id, &self.body(GROUND).name)
     }
 
+    /// The slider of that name.
+    #[must_use]
+    pub fn slider_named(&self, name: &str) -> Option<SliderId> {
+        self.slider_ids().find(|&id| self.slider_name(id) == name)
+    }
+
     /// The same in sentences: `5/bastidor` or `5/0` for `5/ground`.
     #[must_use]
     pub fn slider_in_words(&self, id: SliderId, words: &Wording) -> String {

@@ -71,7 +71,7 @@ pub(crate) fn meaning(path: &[&str], is_key: bool) -> Option<Meaning> {
         (["near"], true) => Meaning::PointOrAngle,
         (["links", _, "lengths"], true) => Meaning::PairOfLink,
         (["figure", "labels"], true) => Meaning::OfPlan,
-        (["want", _], false) | (["form"], true) => Meaning::Quantity,
+        (["want", _] | ["forces", _, "over", "of"], false) | (["form"], true) => Meaning::Quantity,
         ([list, _, key] | [list, _, key, _], false) => {
             return JointKind::of_list(list)?.keys.iter().find(|(own, _)| own == key)?.1;
         }
@@ -90,7 +90,8 @@ pub(crate) fn key_order(path: &[&str]) -> Vec<&'static str> {
         ["links", _] => {
             vec!["points", "lengths", "shape", "drive", "angle", "motion", "mass", "weight", "inertia", "center"]
         }
-        ["forces", _] => vec!["name", "on", "at", "force", "couple", "turns"],
+        ["forces", _] => vec!["name", "on", "at", "force", "couple", "turns", "over"],
+        ["forces", _, "over"] => vec!["of", "table"],
         ["springs", _] => vec!["name", "between", "rate", "length"],
         [.., "drive"] => vec!["angle", "omega", "rpm", "alpha", "position", "speed", "acceleration"],
         [list, _] => {

@@ -1,0 +1,464 @@
+//! Mistakes with instant centres: lines through the wrong places, wrong crossings, wrong distances, velocities.
+
+use super::rays::sides;
+use super::site::{Candidate, Reinterpretation, Site, instead, times};
+use super::told::{Blank, Told, tell};
+use crate::construction::{
+    Along, Center, CenterId, CenterOrigin, Centers, Disturbance, Equation, FigureOf, LineId, NumberId, NumberKind,
+    OperationKind, OperationRole, PlaceId, Spot,
+};
+use crate::geometry::{Vector, cross, quarter_turn, unit};
+use crate::mechanism::SliderId;
+use crate::sheet::Sheet;
+use std::collections::BTreeSet;
+
+/// Two places nearer than this are one to a hand, in mm: nobody marks a new centre on an old one.
+const ONE: f64 = 3.0;
+
+/// Farthest wrong crossing, in sizes of what is drawn.
+const REACH: f64 = 2.5;
+
+/// Smallest sine of the angle of wrong lines that somebody crosses.
+const SINE: f64 = 0.1;
+
+/// Where two lines are crossed to an instant centre.
+#[derive(Clone, Copy)]
+struct Crossing {
+    operation: usize,
+    id: CenterId,
+    place: PlaceId,
+    lines: [LineId; 2],
+}
+
+/// The instant centres of a construction in which mistakes are looked for.
+struct Drawn<'s> {
+    site: &'s Site<'s>,
+    all: &'s Centers,
+    crossings: Vec<Crossing>,
+}
+
+impl<'s> Drawn<'s> {
+    /// None where the figure has no centres.
+    fn of(site: &'s Site<'_>) -> Option<Drawn<'s>> {
+        let all = site.model.construction.centers.as_deref()?;
+        let crossings = site.operations().filter_map(|(operation, done)| match (done.role, &done.kind) {
+            (OperationRole::Center(id), &OperationKind::Cross { place, lines }) => {
+                Some(Crossing { operation, id, place, lines })
+            }
+            _ => None,
+        });
+        Some(Drawn { site, all, crossings: crossings.collect() })
+    }
+
+    /// A centre by its name; of one without a link that of the centre that it leads to.
+    fn center(&self, id: CenterId) -> Blank {
+        Blank::Quantity(self.all.get(id).pair.name(&self.site.key.solution.mechanism))
+    }
+
+    /// A line by the centres through which it is drawn.
+    fn line(&self, line: LineId) -> Blank {
+        let mechanism = &self.site.key.solution.mechanism;
+        let notation = &self.site.key.solution.wording().notation;
+        let symbol = |id: CenterId| {
+            let symbol = self.all.get(id).pair.symbol(mechanism, notation, &str::to_owned);
+            symbol.replace(['{', '}'], "")
+        };
+        let own = self.all.all.iter().flat_map(Center::lines).find(|own| own.line == Some(line));
+        if let Some(own) = own {
+            return Blank::Words(own.through.map(symbol).join(" "));
+        }
+        match self.site.drawing_of(line).map(|(_, operation)| (operation.role, &operation.kind)) {
+            Some((OperationRole::Guide(slider), _)) => self.guide(slider),
+            Some((_, OperationKind::Join { from, towards, .. })) => {
+                Blank::Words([*from, *towards].map(|end| self.site.place_name(end)).join(" "))
+            }
+            _ => Blank::Words(String::new()),
+        }
+    }
+
+    fn guide(&self, slider: SliderId) -> Blank {
+        let solution = self.site.key.solution;
+        Blank::Guide(solution.mechanism.slider_in_words(slider, &solution.wording()))
+    }
+
+    fn at(&self, place: PlaceId) -> Vector {
+        self.site.model.exact.place(place)
+    }
+
+    /// Millimetres of paper in units of the sheet.
+    fn mm(&self, mm: f64) -> f64 {
+        mm * self.site.model.scales[Sheet::Centers]
+    }
+
+    /// Whether somebody may take a point for a new centre: it is on the sheet, and no place that has a name already.
+    fn is_free(&self, at: Vector, operation: usize) -> bool {
+        let places = self.site.model.places_before(Sheet::Centers, operation);
+        let places = || places.iter().map(|place| self.at(*place)).filter(|place| place.norm().is_finite());
+        let size = places().map(|place| place.norm()).fold(0.0, f64::max);
+        at.norm() <= REACH * size && places().all(|place| (place - at).norm() > self.mm(ONE))
+    }
+
+    /// The lines of the sheet that are drawn before an operation.
+    fn lines_before(&self, operation: usize) -> impl Iterator<Item = LineId> {
+        let before = self.site.operations().take(operation).filter(|(_, done)| done.sheet == Sheet::Centers);
+        before.filter_map(|(_, done)| done.kind.line())
+    }
+
+    /// Where two lines cross, at an angle at which somebody crosses them.
+    fn meeting(&self, lines: [LineId; 2]) -> Option<Vector> {
+        meeting(lines.map(|line| self.site.model.exact.line(line)))
+    }
+
+    /// The guides' centres: each with the direction towards it.
+    fn of_guides(&self) -> impl Iterator<Item = (CenterId, SliderId, Along)> {
+        self.all.all.iter().enumerate().filter_map(|(index, center)| match (&center.origin, center.spot) {
+            (CenterOrigin::Guide(slider), Spot::Towards(along)) => Some((CenterId(index), *slider, along)),
+            _ => None,
+        })
+    }
+
+    /// The lines that are drawn in a direction: operation, line, a place of it.
+    fn drawn_along(&self, along: Along) -> impl Iterator<Item = (usize, LineId, PlaceId)> {
+        self.site.operations().filter_map(move |(index, done)| match done.kind {
+            OperationKind::Draw { line, through, along: own } if own == along => Some((index, line, through)),
+            _ => None,
+        })
+    }
+
+    /// Several changes as one mistake, at the step of the first of them.
+    fn together(&self, told: Told, edits: Vec<Disturbance>) -> Option<Candidate> {
+        let first = edits.iter().map(|edit| edit.operation).min()?;
+        let step = self.site.model.steps[first];
+        Some(Candidate { edits, ..Candidate::at(told, step) })
+    }
+}
+
+/// Where two lines cross, each given by a place and its direction, at an angle at which somebody crosses them.
+fn meeting([(a, u), (b, v)]: [(Vector, Vector); 2]) -> Option<Vector> {
+    let sine = cross(u, v);
+    (sine.abs() > SINE).then(|| a + u * (cross(b - a, v) / sine))
+}
+
+/// The candidates that a function finds where the figure has centres.
+fn found(site: &Site<'_>, find: impl Fn(&Drawn<'_>) -> Vec<Candidate>) -> Vec<Candidate> {
+    Drawn::of(site).map_or_else(Vec::new, |drawn| find(&drawn))
+}
+
+/// The centre of a guide sought along the guide in place of normal to it.
+pub(super) fn along_guide(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let along = drawn.of_guides().filter_map(|(id, slider, along)| {
+            let kind =
+                |(index, line, through)| instead(index, OperationKind::Draw { line, through, along: along.turned(1) });
+            let edits = drawn.drawn_along(along).map(kind).collect();
+            drawn.together(tell::center_along_guide(drawn.center(id), drawn.guide(slider)), edits)
+        });
+        along.collect()
+    })
+}
+
+/// The centre of a guide taken in the pin of its block.
+pub(super) fn at_slider(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let solution = site.key.solution;
+        let at = drawn.of_guides().filter_map(|(id, slider, along)| {
+            let name = solution.mechanism.point_name(solution.mechanism.slider(slider).at);
+            let pin = site.model.construction.place(Sheet::Centers, name)?;
+            let maker = site.model.place_makers[pin.0]?;
+            let is_apart = |place: PlaceId| (drawn.at(place) - drawn.at(pin)).norm() > drawn.mm(ONE);
+            let lines = drawn.drawn_along(along).filter(|(index, _, through)| maker < *index && is_apart(*through));
+            let edits = lines.map(|(index, line, through)| {
+                instead(index, OperationKind::Join { line, from: through, towards: pin })
+            });
+            drawn.together(tell::center_at_slider(drawn.center(id), name.into(), drawn.guide(slider)), edits.collect())
+        });
+        at.collect()
+    })
+}
+
+/// A centre marked where other lines cross: one of its lines with one that is not its own, or the lines of another centre.
+pub(super) fn other_lines(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let mut all = Vec::new();
+        for crossing in &drawn.crossings {
+            all.extend(with_one_line(drawn, crossing));
+        }
+        for (index, first) in drawn.crossings.iter().enumerate() {
+            for second in &drawn.crossings[index + 1..] {
+                all.extend(swapped(drawn, [first, second]));
+            }
+        }
+        all
+    })
+}
+
+fn with_one_line(drawn: &Drawn<'_>, crossing: &Crossing) -> Vec<Candidate> {
+    let &Crossing { operation, id, place, lines } = crossing;
+    let mut all = Vec::new();
+    let others: Vec<LineId> = drawn.lines_before(operation).filter(|line| !lines.contains(line)).collect();
+    for side in 0..2 {
+        for &wrong in &others {
+            let taken = [lines[1 - side], wrong];
+            if drawn.meeting(taken).is_some_and(|at| drawn.is_free(at, operation)) {
+                let told = tell::line_without_common_link(drawn.center(id), drawn.line(wrong), drawn.line(lines[side]));
+                all.push(drawn.site.candidate(told, instead(operation, OperationKind::Cross { place, lines: taken })));
+            }
+        }
+    }
+    all
+}
+
+/// A centre at the place of another one, and both at each other's.
+fn swapped(drawn: &Drawn<'_>, [first, second]: [&Crossing; 2]) -> Vec<Candidate> {
+    let is_own = |crossing: &Crossing| drawn.all.get(crossing.id).figure == FigureOf::Mechanism;
+    if !is_own(first) || !is_own(second) {
+        return Vec::new();
+    }
+    let before: BTreeSet<usize> = drawn.lines_before(first.operation).map(|line| line.0).collect();
+    let taken = |crossing: &Crossing, lines: [LineId; 2]| {
+        instead(crossing.operation, OperationKind::Cross { place: crossing.place, lines })
+    };
+    let mut all = Vec::new();
+    let [a, b] = [first, second].map(|crossing| drawn.center(crossing.id));
+    let later = taken(second, first.lines);
+    if second.lines.iter().all(|line| before.contains(&line.0)) {
+        let earlier = taken(first, second.lines);
+        let both = vec![earlier.clone(), later.clone()];
+        all.extend(drawn.together(tell::centers_swapped(a.clone(), b.clone()), both));
+        all.push(drawn.site.candidate(tell::center_of_other_lines(a.clone(), b.clone()), earlier));
+    }
+    all.push(drawn.site.candidate(tell::center_of_other_lines(b, a), later));
+    all
+}
+
+/// The lines of a centre not drawn far enough: marked where the lines between the same four places cross within these.
+pub(super) fn not_extended(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let mut all = Vec::new();
+        for &Crossing { operation, id, place, lines } in &drawn.crossings {
+            let ends = lines.map(|line| match drawn.site.drawing_of(line)?.1.kind {
+                OperationKind::Join { from, towards, .. } => Some([from, towards]),
+                _ => None,
+            });
+            let [Some([a, b]), Some([c, d])] = ends else { continue };
+            let is_between = |[from, to]: [PlaceId; 2]| {
+                let (from, to, at) = (drawn.at(from), drawn.at(to), drawn.at(place));
+                (at - from).dot(&(at - to)) < 0.0
+            };
+            if is_between([a, b]) && is_between([c, d]) {
+                continue;
+            }
+            for pairs in [[[a, c], [b, d]], [[a, d], [b, c]]] {
+                let Some(at) = within(pairs.map(|pair| pair.map(|end| drawn.at(end)))) else { continue };
+                if drawn.is_free(at, operation) {
+                    let told = tell::not_extended(drawn.center(id), drawn.line(lines[0]), drawn.line(lines[1]));
+                    all.push(site.candidate(told, instead(operation, OperationKind::Plot { place, at })));
+                }
+            }
+        }
+        all
+    })
+}
+
+/// Where two segments cross within both.
+fn within([[a, b], [c, d]]: [[Vector; 2]; 2]) -> Option<Vector> {
+    let (u, v) = (b - a, d - c);
+    let area = cross(u, v);
+    let (s, t) = (cross(c - a, v) / area, cross(c - a, u) / area);
+    let is_within = |part: f64| part > 0.0 && part < 1.0;
+    (is_within(s) && is_within(t)).then(|| a + u * s)
+}
+
+/// A pair of links in a pin of three or more not taken for a centre: lines through it are drawn through a crossing elsewhere.
+pub(super) fn pin_of_three(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let mut all = Vec::new();
+        for (index, center) in drawn.all.all.iter().enumerate() {
+            let (CenterOrigin::Pin(point), Spot::At(pin)) = (&center.origin, center.spot) else { continue };
+            let same = drawn.all.all.iter().filter(|other| other.origin == center.origin).count();
+            if same < 3 {
+                continue;
+            }
+            let name = site.key.solution.mechanism.point_name(*point);
+            for wrong in wrong_places(drawn, CenterId(index)) {
+                let told = tell::pin_of_three(drawn.center(CenterId(index)), name.into());
+                all.extend(drawn.together(told, through_elsewhere(drawn, CenterId(index), pin, wrong)));
+            }
+        }
+        all
+    })
+}
+
+/// The lines through a centre, each with the operation that draws it and the place of its other centre.
+fn lines_through(drawn: &Drawn<'_>, id: CenterId, pin: PlaceId) -> Vec<(usize, LineId, PlaceId)> {
+    let own = drawn.all.all.iter().flat_map(Center::lines).filter(|line| line.through.contains(&id));
+    let mut found: Vec<(usize, LineId, PlaceId)> = Vec::new();
+    for line in own.filter_map(|line| line.line) {
+        let Some((index, operation)) = drawn.site.drawing_of(line) else { continue };
+        if let OperationKind::Join { from, towards, .. } = operation.kind
+            && found.iter().all(|(known, ..)| *known != index)
+        {
+            found.push((index, line, if from == pin { towards } else { from }));
+        }
+    }
+    found
+}
+
+/// Crossings of the first lines of a sheet that are no centres: where somebody may seek one that is there already.
+fn wrong_places(drawn: &Drawn<'_>, id: CenterId) -> Vec<Vector> {
+    let Spot::At(pin) = drawn.all.get(id).spot else { return Vec::new() };
+    let used = lines_through(drawn, id, pin);
+    let operations = drawn.site.model.construction.operations.len();
+    let first =
+        drawn.crossings.iter().find(|crossing| crossing.lines.iter().any(|line| used.iter().any(|u| u.1 == *line)));
+    let before = drawn.lines_before(first.map_or(operations, |crossing| crossing.operation));
+    let lines = before.map(|line| drawn.site.model.exact.line(line));
+    let lines: Vec<_> = lines.chain(sides(drawn.site).into_iter().map(|(_, side)| side)).collect();
+    let mut found: Vec<Vector> = Vec::new();
+    for (index, &a) in lines.iter().enumerate() {
+        for &b in &lines[index + 1..] {
+            if let Some(at) = meeting([a, b])
+                && drawn.is_free(at, operations)
+                && found.iter().all(|other| (other - at).norm() > drawn.mm(ONE))
+            {
+                found.push(at);
+            }
+        }
+    }
+    found
+}
+
+/// The lines through a centre drawn through another place.
+fn through_elsewhere(drawn: &Drawn<'_>, id: CenterId, pin: PlaceId, wrong: Vector) -> Vec<Disturbance> {
+    let lines = lines_through(drawn, id, pin).into_iter();
+    let edit = |(index, line, other): (usize, LineId, PlaceId)| {
+        let along = Along::given(unit(wrong - drawn.at(other))?);
+        Some(instead(index, OperationKind::Draw { line, through: other, along }))
+    };
+    lines.filter_map(edit).collect()
+}
+
+/// The equation by which an angular velocity is found from distances of centres: operation, rate, its link's own distance and the driven link's.
+fn ratios<'s>(site: &'s Site<'_>) -> impl Iterator<Item = (usize, NumberId, [NumberId; 2], &'s Equation)> {
+    site.operations().filter_map(|(index, operation)| {
+        let OperationKind::Solve { unknowns, equations } = &operation.kind else { return None };
+        let ([rate], [equation]) = (unknowns.as_slice(), equations.as_slice()) else { return None };
+        let is_by_centers = matches!(site.number_kind(*rate), NumberKind::RateByCenters(_));
+        let own = equation.left.first()?.1.of.first()?;
+        let driven = equation.right.first()?.of.last()?;
+        is_by_centers.then_some((index, *rate, [*own, *driven], equation))
+    })
+}
+
+/// The ratio of two distances taken upside down.
+pub(super) fn ratio_inverted(site: &Site<'_>) -> Vec<Candidate> {
+    let inverted = ratios(site).map(|(index, rate, [own, driven], equation)| {
+        let mut equation = equation.clone();
+        let exchanged = |number: &mut NumberId| match *number {
+            n if n == own => *number = driven,
+            n if n == driven => *number = own,
+            _ => {}
+        };
+        equation.left.iter_mut().flat_map(|(_, product)| &mut product.of).for_each(exchanged);
+        equation.right.iter_mut().flat_map(|product| &mut product.of).for_each(exchanged);
+        let told = tell::ratio_inverted(site.symbol(rate), site.quantity(driven), site.quantity(own));
+        let kind = OperationKind::Solve { unknowns: vec![rate], equations: vec![equation] };
+        site.candidate(told, instead(index, kind))
+    });
+    inverted.collect()
+}
+
+/// The sense of an angular velocity by centres, or of a velocity, reversed: in all that follows, or only as it is written.
+pub(super) fn sense_by_center(site: &Site<'_>) -> Vec<Candidate> {
+    let mut all = Vec::new();
+    for (index, rate, ..) in ratios(site) {
+        let told = || tell::sense_by_center(site.symbol(rate));
+        all.push(site.candidate(told(), times(index, rate, -1.0)));
+        let reads = |entry: &usize| site.model.readings[*entry].is_ok_and(|reading| reading.number == rate);
+        for entry in (0..site.entries.len()).filter(reads).filter(|entry| !site.entries[*entry].is_magnitude) {
+            let written = &site.entries[entry];
+            let meant = Reinterpretation { entry, value: -written.value, rounding: written.rounding };
+            all.push(Candidate { reinterpreted: vec![meant], ..Candidate::at(told(), written.step) });
+        }
+    }
+    all.extend(
+        velocities(site)
+            .map(|velocity| site.candidate(tell::velocity_reversed(velocity.quantity()), velocity.turned(2))),
+    );
+    all
+}
+
+/// A velocity by centres laid off along its ray.
+pub(super) fn velocity_along_ray(site: &Site<'_>) -> Vec<Candidate> {
+    let along = velocities(site).flat_map(|velocity| {
+        let told = tell::velocity_along_ray(velocity.quantity());
+        [1, 3].map(|turns| site.candidate(told.clone(), velocity.turned(turns)))
+    });
+    along.collect()
+}
+
+/// A velocity that is laid off on the figure of centres.
+struct Velocity<'s> {
+    site: &'s Site<'s>,
+    operation: usize,
+    place: PlaceId,
+    from: PlaceId,
+    size: NumberId,
+    along: Along,
+    /// Its own size, in units of velocity.
+    speed: NumberId,
+}
+
+fn velocities<'s>(site: &'s Site<'_>) -> impl Iterator<Item = Velocity<'s>> {
+    site.operations().filter_map(move |(operation, done)| {
+        let OperationKind::LayOff { place, from, size, along } = done.kind else { return None };
+        let OperationKind::Compute { sum, .. } = &site.operation(site.model.makers[size.0]?).kind else { return None };
+        let speed = *sum.first()?.of.first()?;
+        let is_by_centers = matches!(site.number_kind(speed), NumberKind::SpeedByCenters(_));
+        is_by_centers.then_some(Velocity { site, operation, place, from, size, along, speed })
+    })
+}
+
+impl Velocity<'_> {
+    fn quantity(&self) -> Blank {
+        self.site.quantity(self.speed)
+    }
+
+    /// The distance that is multiplied.
+    fn arm(&self) -> Option<NumberId> {
+        match &self.site.operation(self.site.model.makers[self.speed.0]?).kind {
+            OperationKind::Compute { sum, .. } => sum.first()?.of.last().copied(),
+            _ => None,
+        }
+    }
+
+    fn laid(&self, along: Along) -> Disturbance {
+        let &Velocity { place, from, size, .. } = self;
+        instead(self.operation, OperationKind::LayOff { place, from, size, along })
+    }
+
+    fn turned(&self, quarter_turns: u8) -> Disturbance {
+        self.laid(self.along.turned(quarter_turns))
+    }
+}
+
+/// A velocity with the distance from another centre, normal to the ray from there: the distance alone is `lengths::wrong_distance`.
+pub(super) fn from_wrong_center(site: &Site<'_>) -> Vec<Candidate> {
+    let distances = super::lengths::wrong_distance(site);
+    let mut all = distances.clone();
+    for velocity in velocities(site) {
+        let Some(arm) = velocity.arm() else { continue };
+        let Some(maker) = site.model.makers[arm.0] else { continue };
+        let OperationKind::Measure { from, to, .. } = site.operation(maker).kind else { continue };
+        for mut candidate in distances.iter().cloned() {
+            let Some(&OperationKind::Measure { from: own, to: end, .. }) = candidate.instead_of(maker) else {
+                continue;
+            };
+            let ray = site.model.exact.place(end) - site.model.exact.place(own);
+            let Some(normal) = unit(quarter_turn(ray)).filter(|_| own != from && end == to) else { continue };
+            candidate.edits.push(velocity.laid(Along::given(normal)));
+            all.push(candidate);
+        }
+    }
+    all
+}

@@ -1,0 +1,130 @@
+//! How a load changes over the motion: a table over the angle of a link or the position of a slider, as gas pressure over a crank's turn or
+//! a cutting force over a tool's stroke.
+
+use super::error::Wrong;
+use super::names::Names;
+use super::quantity_name::{Head, QuantityName};
+use super::says;
+use super::write::write_keys;
+use crate::geometry::Ball;
+use crate::text::shown;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// A full turn, in degrees.
+const TURN: f64 = 360.0;
+
+/// How a load changes over the motion, in the file.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = r#"how a load changes as { "of": "angle(1)", "table": [[0, 0], [90, 1500], [180, 0]] }"#
+)]
+#[schemars(rename = "over")]
+pub(super) struct OverFile {
+    /// What it depends on: `angle(1)`, the angle of a link, or `position(3/ground)`, the position of a slider.
+    of: String,
+    /// Pairs: an angle in degrees or a position, and how many times the given force and couple act there.
+    table: Vec<[f64; 2]>,
+}
+
+write_keys!(OverFile { of, table });
+
+/// How a load changes over the motion.
+///
+/// Between two lines of its table it changes in proportion. Two lines at one place are a jump, at which the second counts. Over an
+/// angle the table repeats with every turn, and from its last line it goes on to the first of the next turn; over a position
+/// its first and its last line count beyond it, too.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Over {
+    /// What it depends on.
+    pub of: Gauge,
+    /// Places in ascending order, with the factor at each.
+    pub table: Vec<[f64; 2]>,
+}
+
+/// What a load depends on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Gauge {
+    /// The angle of the link's axis from +x, in degrees.
+    Angle(String),
+    /// The position of the slider of this name along its guide.
+    Position(String),
+}
+
+impl OverFile {
+    pub fn read(self, names: &Names<'_>) -> Result<Over, Wrong> {
+        let OverFile { of, table } = self;
+        let parsed = QuantityName::parse(&of).filter(|name| name.component.is_none());
+        let gauge = match parsed.map(|QuantityName { head, arguments, .. }| (head, arguments)) {
+            Some((Head::Angle, mut link)) => Gauge::Angle(link.pop().unwrap_or_default()),
+            Some((Head::SlidePosition, mut slider)) => Gauge::Position(slider.pop().unwrap_or_default()),
+            _ => return Err(Wrong::value(&["of"], says::over_what(shown(&of))).hint(says::over_angle_or_position())),
+        };
+        if let Gauge::Angle(link) = &gauge {
+            names.link(&["of"], link)?;
+        }
+        let Some(ends) = table.first().zip(table.last()).map(|(first, last)| [first[0], last[0]]) else {
+            return Err(Wrong::value(&["table"], says::over_short()).hint(says::over_two_lines()));
+        };
+        let back = table.windows(2).position(|lines| lines[1][0] < lines[0][0]);
+        if let Some(line) = back {
+            let at = (line + 1).to_string();
+            let [before, after] = [table[line][0], table[line + 1][0]];
+            return Err(Wrong::value(&["table", &at], says::over_back(after, before)).hint(says::over_in_order()));
+        }
+        if ends[0] == ends[1] {
+            return Err(Wrong::value(&["table"], says::over_short()).hint(says::over_two_lines()));
+        }
+        if matches!(gauge, Gauge::Angle(_)) && ends[1] - ends[0] > TURN {
+            return Err(Wrong::value(&["table"], says::over_more_than_a_turn()).hint(says::over_one_turn()));
+        }
+        Ok(Over { of: gauge, table })
+    }
+}
+
+impl Over {
+    /// The factor at a place that is known within a bound; its own bound covers every place within.
+    pub(crate) fn at(&self, place: Ball) -> Ball {
+        let (value, off) = (place.high, place.error());
+        let lines = match self.of {
+            Gauge::Position(_) => self.beyond(),
+            Gauge::Angle(_) => self.turns(value),
+        };
+        let value = value.clamp(lines[0][0], lines[lines.len() - 1][0]);
+        let pieces = || lines.windows(2).map(|pair| [pair[0], pair[1]]);
+        let is_before = |[from, to]: &[[f64; 2]; 2]| from[0] <= value && from[0] < to[0];
+        let [from, to] = pieces().filter(is_before).last().unwrap_or([lines[0]; 2]);
+        if from[0] == to[0] {
+            return from[1].into();
+        }
+        let part = (Ball::from(value) - from[0].into()) / (Ball::from(to[0]) - from[0].into());
+        let factor = Ball::from(from[1]) + (Ball::from(to[1]) - from[1].into()) * part;
+        // What the factor changes by within the bound: along each piece that is near, and at each jump.
+        let change = |[from, to]: [[f64; 2]; 2]| {
+            let (low, high) = ((value - off).max(from[0]), (value + off).min(to[0]));
+            match to[0] - from[0] {
+                _ if low > high => 0.0,
+                0.0 => (to[1] - from[1]).abs(),
+                length => (to[1] - from[1]).abs() * ((high - low) / length).min(1.0),
+            }
+        };
+        let within: f64 = if off > 0.0 { pieces().map(change).sum() } else { 0.0 };
+        factor.widened(within * (1.0 + 8.0 * f64::EPSILON))
+    }
+
+    /// The table with a piece before its first line and one after its last, in which it does not change.
+    fn beyond(&self) -> Vec<[f64; 2]> {
+        let (first, last) = (self.table[0], self.table[self.table.len() - 1]);
+        let more = last[0] - first[0];
+        let (before, after) = ([first[0] - more, first[1]], [last[0] + more, last[1]]);
+        [&[before], &self.table[..], &[after]].concat()
+    }
+
+    /// The table in three turns, of which the second has the angle.
+    fn turns(&self, degrees: f64) -> Vec<[f64; 2]> {
+        let turns = libm::floor((degrees - self.table[0][0]) / TURN);
+        let turn = |which: f64| self.table.iter().map(move |line| [line[0] + TURN * (turns + which), line[1]]);
+        [-1.0, 0.0, 1.0].into_iter().flat_map(turn).collect()
+    }
+}

@@ -1,0 +1,102 @@
+//! Forms with instant centres: what they ask for, that independent digits are right there, and that other forms are as they were.
+
+use kinegon::check::{AnswerKey, Measured, Verdict, check, form_names};
+use kinegon::{Scales, Sheet, Solution};
+use serde_json::{Value, json};
+use support::files;
+use support::stages::solved;
+
+/// The starting scene of a kind with this figure.
+fn with_figure(kind: &str, figure: Value) -> Solution {
+    let mut scene: Value = serde_json::from_str(&files::read(&format!("templates/{kind}.json"))).expect("a scene");
+    scene["figure"] = figure;
+    solved(&scene.to_string()).expect("it can be solved")
+}
+
+fn names(solution: &Solution) -> Vec<String> {
+    form_names(&solution.construction)
+}
+
+fn form(values: &Value) -> Measured {
+    let mut form = json!({ "kinegon_measured": 1, "mu_c": 1.0, "positive": "counter-clockwise" });
+    form["values"] = values.clone();
+    Measured::read_json(&form.to_string()).expect("a form")
+}
+
+#[test]
+fn a_figure_of_centres_asks_for_them_and_no_plan() {
+    let solution = with_figure("four-bar", json!({ "panels": ["scheme", "centers"], "velocities": ["C"] }));
+    let [first, second] = [["P(2,ground).x", "P(2,ground).y"], ["P(1,3).x", "P(1,3).y"]];
+    let velocity =
+        ["L(P(1,ground),P(1,3))", "L(P(3,ground),P(1,3))", "omega(3)", "L(P(3,ground),C)", "v(C).size", "v(C).angle"];
+    assert_eq!(names(&solution), [&first[..], &second[..], &velocity[..]].concat());
+}
+
+#[test]
+fn a_plan_that_is_shown_is_asked_for_too_and_gives_the_rates() {
+    let figure = |panels: Value| json!({ "panels": panels, "velocities": ["C"] });
+    let plan = names(&with_figure("four-bar", figure(json!(["scheme", "velocity"]))));
+    let both = names(&with_figure("four-bar", figure(json!(["scheme", "velocity", "centers"]))));
+    let alone = names(&with_figure("four-bar", figure(json!(["scheme", "centers"]))));
+    let of_accelerations = |name: &&String| name.starts_with("aplan") || name.starts_with("alpha");
+    for name in plan.iter().filter(|name| !of_accelerations(name)).chain(&alone) {
+        assert_eq!(both.iter().filter(|other| *other == name).count(), 1, "{name} in {both:?}");
+    }
+    assert!(!both.iter().any(|name| of_accelerations(&name)), "{both:?}");
+}
+
+/// The digits are those of absolute coordinates and free bodies, none of Kinegon's.
+#[test]
+fn independent_digits_are_right_values_of_a_form() {
+    let (mut forms, mut values) = (0, 0);
+    for line in files::read("tests/centers/cases.jsonl").lines() {
+        let case: Value = serde_json::from_str(line).expect("JSON");
+        let mut scene = case["scene"].clone();
+        scene["figure"] = json!({ "panels": ["centers"], "centers": "all" });
+        let solution = solved(&scene.to_string()).expect("it can be solved");
+        let number = |value: &Value| value.as_str().and_then(|digits| digits.parse::<f64>().ok()).expect("a number");
+        let mut written = json!({});
+        for name in names(&solution).iter().filter(|name| name.starts_with("P(")) {
+            let (center, axis) = name.rsplit_once('.').expect("a coordinate");
+            let at = &case["expected"]["centers"][center]["at"];
+            if at.is_array() {
+                let digits = number(&at[usize::from(axis == "y")]);
+                written[name] = json!(format!("{digits:.6}"));
+            }
+        }
+        let count = written.as_object().map_or(0, serde_json::Map::len);
+        if count == 0 {
+            continue;
+        }
+        let key = AnswerKey::new(&solution, None);
+        let checked = check(&form(&written), &key).unwrap_or_else(|error| panic!("{}: {error}", case["id"]));
+        for value in &checked.values {
+            assert_eq!(value.verdict, Verdict::Right, "{} {}", case["id"], value.entry.asked.name());
+        }
+        (forms, values) = (forms + 1, values + count);
+    }
+    assert!(forms >= 15 && values >= 100, "{forms} forms with {values} values");
+}
+
+#[test]
+fn centres_are_understood_with_their_links_in_either_order_and_the_frame_as_0() {
+    let solution = with_figure("four-bar", json!({ "panels": ["scheme", "centers"], "velocities": ["C"] }));
+    let key = AnswerKey::new(&solution, None);
+    let written = |one: &str, two: &str| json!({ one: "153.7", two: "50.0" });
+    let usual = check(&form(&written("P(2,ground).x", "L(P(1,3),P(3,ground))")), &key).expect("a form");
+    let other = check(&form(&written("P(0,2).x", "L(P(3,0),P(3,1))")), &key).expect("a form");
+    let named = |checked: &kinegon::check::Checked| -> Vec<String> {
+        checked.values.iter().map(|value| value.entry.asked.name().to_owned()).collect()
+    };
+    assert_eq!(named(&usual), ["P(2,ground).x", "L(P(3,ground),P(1,3))"]);
+    assert_eq!(named(&other), named(&usual));
+}
+
+#[test]
+fn a_form_of_centres_needs_the_scale_of_their_sheet_alone() {
+    let solution = with_figure("four-bar", json!({ "panels": ["centers"], "mu_c": 2 }));
+    let scales: Scales = solution.scales();
+    assert_eq!(scales.given().map(|(sheet, _)| sheet).collect::<Vec<_>>(), [Sheet::Centers]);
+    let checked = check(&form(&json!({ "P(1,3).y": "0.0" })), &AnswerKey::new(&solution, None)).expect("a form");
+    assert_eq!(checked.values.len(), 1);
+}
