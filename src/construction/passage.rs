@@ -1,8 +1,11 @@
 //! Steps that a lecturer shows together: each passage reaches one aim of the construction.
 
 use super::constructed::Construction;
+use super::kennedy::CurvatureStep;
+use super::lever::LeverStep;
 use super::markup::marked;
 use super::operation::StepId;
+use super::polygon::ForceStep;
 use super::sentence::Teller;
 use super::step::{Action, Arrow, NumberedStep, PointRole, Ray, RayOf, Relation, VectorOf};
 use crate::sheet::Sheet;
@@ -27,6 +30,14 @@ pub enum Aim {
     Center,
     /// A velocity by centres.
     CenterVelocity,
+    /// A sum of moments, or the force of a drive along its guide.
+    Moments,
+    /// A force polygon.
+    Polygon,
+    /// What a drive needs, by its lever.
+    Lever,
+    /// The centre of curvature of a path.
+    Curvature,
     /// That there is no construction.
     Nothing,
 }
@@ -51,6 +62,7 @@ impl Construction {
         let mut passages: Vec<Passage> = Vec::new();
         // What the present passage already has: its sheet, the group of special points, whether its aim is reached.
         let mut present: Option<(Sheet, Option<usize>, bool)> = None;
+        let mut polygon = None;
         for (index, step) in steps.iter().enumerate() {
             let last = passages.last().map(|passage| passage.aim);
             let aim = aim(&steps[index..], last);
@@ -65,15 +77,22 @@ impl Construction {
                         Aim::SpecialPoints => own == group,
                         Aim::Crossing => !is_reached || step.action.is_measured(),
                         Aim::Start | Aim::Images => true,
-                        Aim::Rates | Aim::Center | Aim::CenterVelocity => !is_reached,
-                        Aim::Nothing | Aim::PermanentCenters => false,
+                        Aim::Rates | Aim::Center | Aim::CenterVelocity | Aim::Curvature | Aim::Lever => !is_reached,
+                        Aim::Polygon => step.action.polygon() == polygon,
+                        Aim::Nothing | Aim::PermanentCenters | Aim::Moments => false,
                     }
             });
             let was_reached = joins && present.is_some_and(|(.., is_reached)| is_reached);
             let reached = matches!(
                 step.action,
-                Action::Cross { .. } | Action::Solve { .. } | Action::Center(_) | Action::VelocityByCenters(_)
+                Action::Cross { .. }
+                    | Action::Solve { .. }
+                    | Action::Center(_)
+                    | Action::VelocityByCenters(_)
+                    | Action::Lever(LeverStep::Effort(_))
+                    | Action::Curvature { step: CurvatureStep::Center, .. }
             );
+            polygon = step.action.polygon();
             present = Some((step.sheet, group, was_reached || reached));
             match passages.last_mut().filter(|_| joins) {
                 Some(passage) => passage.steps[1] = step.number,
@@ -101,7 +120,17 @@ fn aim(steps: &[NumberedStep<'_>], last: Option<Aim>) -> Aim {
         Action::NoConstruction(_) | Action::CentersByRates(_) => Aim::Nothing,
         Action::PermanentCenters => Aim::PermanentCenters,
         Action::LeaveOut { .. } | Action::CenterLine { .. } | Action::Center(_) => Aim::Center,
-        Action::RateByCenters { .. } | Action::VelocityByCenters(_) => Aim::CenterVelocity,
+        Action::RateByCenters { .. } | Action::RateBySlide { .. } | Action::VelocityByCenters(_) => Aim::CenterVelocity,
+        Action::Curvature { .. } => Aim::Curvature,
+        Action::Lever(_) => Aim::Lever,
+        Action::Force(ForceStep::ByNumbers(_)) => Aim::Nothing,
+        Action::Force(_) => {
+            if first.action.polygon().is_some() {
+                Aim::Polygon
+            } else {
+                Aim::Moments
+            }
+        }
         Action::Divide { .. } | Action::Coincide { .. } => Aim::Images,
         Action::Measure { .. } => {
             let after = actions().find(|action| !action.is_measured());
@@ -144,7 +173,7 @@ impl Teller<'_> {
         let steps: Vec<NumberedStep<'_>> = self.construction.steps_of(passage).collect();
         let first = match steps.as_slice() {
             [] => return String::new(),
-            [step] => return self.caption(step),
+            [step] if passage.aim != Aim::Polygon => return self.caption(step),
             [first, ..] => first,
         };
         let told = self.told(&steps);
@@ -179,7 +208,16 @@ impl Teller<'_> {
                 let lines = |step: &&NumberedStep<'_>| !matches!(step.action, Action::CenterLine { .. });
                 steps.iter().filter(lines).map(|step| self.caption(step)).collect()
             }
-            Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity => {
+            Aim::Polygon => {
+                let actions: Vec<&Action> = steps.iter().map(|step| step.action).collect();
+                self.polygon_caption(&actions).into_iter().collect()
+            }
+            // Its forces are seen.
+            Aim::Lever => {
+                let is_told = |step: &&NumberedStep<'_>| !matches!(step.action, Action::Lever(LeverStep::Arm(..)));
+                steps.iter().filter(is_told).map(|step| self.caption(step)).collect()
+            }
+            Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity | Aim::Curvature | Aim::Moments => {
                 steps.iter().map(|step| self.caption(step)).collect()
             }
         };

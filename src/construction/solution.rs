@@ -2,8 +2,11 @@
 
 use super::constructed::{Construction, Extent};
 use super::cut::{Special, SpecialId, special_points};
+use super::kennedy::missing_of_centers;
 use super::leg::DrawnSpecial;
+use super::lever::levers;
 use super::markup::{no_construction, plain_text};
+use super::polygon::force_plan;
 use super::step::Action;
 use super::writer::Writer;
 use crate::centers::LinkPair;
@@ -45,6 +48,7 @@ impl Solution {
         if scene.figure.shown_panels().contains(&Sheet::Centers) {
             construction = with_centers(&scene.figure, (&mechanism, &pose, &motion), construction);
         }
+        construction = with_forces(&scene.figure, (&mechanism, &pose, &motion), construction);
         // A work sheet is drawn on.
         let turned = scene.figure.turned.filter(|_| !scene.figure.worksheet);
         let turned = turned.map(|sense| Box::new(construction.turned(sense)));
@@ -90,7 +94,11 @@ impl Solution {
         let found = [&self.mechanism.warnings, &self.pose.warnings, &self.motion.warnings];
         let words = Wording { language, ..Wording::default() };
         let without = self.construction.without().map(move |far| plain_text(&no_construction(&words, far)));
-        found.into_iter().flatten().map(|warning| language.says(warning)).chain(without)
+        let own = Wording { language, ..self.wording() };
+        let centers = self.construction.centers.as_deref();
+        let centers = centers.map(|centers| missing_of_centers(centers, &self.mechanism, &own)).unwrap_or_default();
+        let centers = centers.into_iter().map(|sentence| plain_text(&sentence));
+        found.into_iter().flatten().map(|warning| language.says(warning)).chain(without).chain(centers)
     }
 }
 
@@ -130,13 +138,32 @@ fn with_centers(
         CentersShown::Usual => all.into_iter().filter(|pair| pair.other(GROUND).is_some()).collect(),
         CentersShown::Named(names) => names.iter().filter_map(|name| LinkPair::named(name, mechanism)).collect(),
     };
-    let points: Vec<PointId> = figure.velocities.iter().filter_map(|name| mechanism.point(name)).collect();
+    let points = |names: &[String]| -> Vec<PointId> { names.iter().filter_map(|name| mechanism.point(name)).collect() };
     let mut writer = Writer::continued(mechanism, pose, motion, construction);
-    writer.centers(&wanted, &points);
+    writer.centers(&wanted, &points(&figure.velocities), &points(&figure.curvature));
     // On a scheme beside the centres nothing is drawn.
     let drawn: Vec<Sheet> = figure.shown_panels().into_iter().filter(|sheet| *sheet != Sheet::Scheme).collect();
     let needed = |sheet: &Sheet| drawn.iter().any(|drawn| drawn.with_those_needed().contains(sheet));
     writer.construction.by_hand = Sheet::ALL.into_iter().filter(needed).collect();
+    writer.construction
+}
+
+/// A construction with the force plan and the levers that a figure asks for; without loads, and in a singular position, there are none.
+fn with_forces(
+    figure: &Figure,
+    (mechanism, pose, motion): (&Mechanism, &Pose, &Motion),
+    construction: Construction,
+) -> Construction {
+    let panels = figure.shown_panels();
+    if !panels.iter().any(|panel| matches!(panel, Sheet::Forces | Sheet::Lever)) || mechanism.loads.is_none() {
+        return construction;
+    }
+    let Some(computed) = forces(mechanism, &AtPose::new(mechanism, pose)) else { return construction };
+    let mut writer = Writer::continued(mechanism, pose, motion, construction);
+    force_plan(&mut writer, &computed, panels.contains(&Sheet::Forces));
+    if panels.contains(&Sheet::Lever) {
+        writer.construction.levers = levers(&mut writer, &computed);
+    }
     writer.construction
 }
 

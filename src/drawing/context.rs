@@ -6,7 +6,8 @@ use super::facts::Facts;
 use super::held_layout::Pane;
 use super::text::RichText;
 use super::view::Series;
-use crate::construction::{Construction, Plan, PlanVector, Solution, Special, Teller, VectorPart};
+use crate::centers::{LinkPair, link_in_index};
+use crate::construction::{Construction, FigureOf, Plan, PlanVector, Solution, Special, Teller, VectorPart};
 use crate::cycle::{OtherModes, Traces};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId};
 use crate::quantity::QuantityKind;
@@ -206,6 +207,22 @@ impl<'a> SheetContext<'a> {
         }
     }
 
+    /// The symbol of the centre of two links, in markup.
+    pub(super) fn center_symbol(&self, pair: LinkPair, figure: FigureOf) -> String {
+        pair.symbol(figure.primes(), self.mechanism(), &self.words.notation, &|name| self.told(name, None))
+    }
+
+    /// The symbols of a link's instant centre with the frame and of its inflection pole, in markup.
+    pub(super) fn ends_of_inflection_circle(&self, link: BodyId) -> [String; 2] {
+        let center = LinkPair::new(link, GROUND).map(|pair| self.center_symbol(pair, FigureOf::Mechanism));
+        [center.unwrap_or_default(), format!("W_{{{}}}", self.link_in_index(link))]
+    }
+
+    /// A link in the index of such a symbol.
+    pub(super) fn link_in_index(&self, link: BodyId) -> String {
+        link_in_index(link, self.mechanism(), &self.words.notation, &|name| self.told(name, None))
+    }
+
     /// Number of a link, by which a style picks its colour; none for the ground and for blocks without name.
     pub(super) fn number(&self, link: BodyId) -> Option<usize> {
         self.facts.numbers[link.0]
@@ -252,6 +269,8 @@ pub(super) enum ValueOf {
     Rate(BodyId),
     /// A given length of a link.
     Length([PointId; 2]),
+    /// What a joint carries or a drive needs; it stands in the list alone.
+    Force,
 }
 
 impl Value {
@@ -263,7 +282,7 @@ impl Value {
     /// Whether it is a result that is listed; relative motions of two points of a link and given lengths are not.
     pub(super) fn is_listed(&self) -> bool {
         match &self.of {
-            ValueOf::Rate(_) => true,
+            ValueOf::Rate(_) | ValueOf::Force => true,
             ValueOf::Vector(vector) => {
                 matches!(vector.part, VectorPart::Whole | VectorPart::Sliding | VectorPart::Coriolis)
             }

@@ -111,8 +111,40 @@ leave_out = Leave link {$link} out and glue {$first} and {$second} together: the
 centers_by_rates = No lines lead to {$centers}: from the computed rates.
 rate_by_centers = Compute {$rate}: in {$center} links {$driver} and {$link} have one velocity.
 velocity_by_centers = Lay off {$vector}, normal to the ray {$from} {$point}.
+rate_by_slide = Compute {$rate}: in {$center} link {$link} has the velocity {$velocity}, along the guide.
+velocity_along_guide = Lay off {$vector}, along the guide of {$guide}: all points of the link have this velocity.
+collineation_axis = Join {$first} and {$second}, and the centres of curvature of their paths, {$first_center} and {$second_center}: the lines meet in {$crossing}. The collineation axis runs from {$pole} to there.
+pole_tangent = Draw the pole tangent t of link {$link} through {$pole}: from the ray to {$first}, at the angle from the axis to the ray to {$second} (Bobillier).
+axis_of_point = Draw the ray from {$pole} to {$point} and, from it, at the angle from the tangent to the ray to {$pin}, their axis: it meets the line of {$point} and {$pin} in {$crossing}.
+center_of_curvature = The line from there to {$fixed} marks {$center} on the ray, the centre of curvature of the path of {$point}.
+path_inflection = The line from there to {$fixed} is parallel to the ray: the path of {$point} has an inflection.
+curvatures_differ = The centres of curvature from these lines and from the computed motion differ by {$difference} of radius or mechanism; the crossings allow {$allowed}.
 velocity_of_center = Lay off {$vector}, that of {$center}: link {$link} does not turn.
 centers_differ = The centres from these lines and from the computed motion differ by {$difference} of the mechanism's size; the crossings allow {$allowed}.
+
+weight_letter = W
+one_link = link {$link}
+several_links = links {$links}
+force_moments = Moments of {$links} about {$point} give {$force}.
+force_moments_crossing = Moments of {$links} about the crossing of the lines of {$first} and {$second} give {$force}.
+force_couple = Moments of {$links} about {$point} give {$couple}, by which the force in the guide of {$guide} acts beside {$point}.
+force_begin = Polygon of {$links}, at {$scale}: lay {$force} off.
+force_lay_off = Lay {$force} off.
+force_direction = Draw the direction of {$force}.
+force_cross = The crossing gives {$first} and {$second}.
+force_close = {$force} closes the polygon.
+force_sum = {$force} is the sum of its parts.
+force_inner = {$force} closes the polygon of {$links} alone.
+force_push = Along the guide of {$guide} the drive pushes with {$force}.
+forces_by_numbers = What the joints of {$links} carry has no construction here: it is laid off from the equations of equilibrium.
+force_polygon = Polygon of {$links}: lay off {$known}.
+force_polygon_closed = {$forces} close it.
+force_polygon_joined = Corners give {$forces}.
+forces_differ = The forces from these polygons and from the equations of equilibrium differ by {$difference} of the largest force; rounding and the crossings allow {$allowed}.
+lever_turn = Turn the velocity plan by 90° clockwise: it is a lever.
+lever_turn_for = Turn the velocities by 90° clockwise, while {$drive} runs at rate 1 and the other drives stand: they are a lever.
+lever_arm = {$force} acts at the image of its point: measure its arm.
+lever_effort = Moments about the pole give {$effort}: no joint's force has one.
 
 # The figure.
 
@@ -124,6 +156,8 @@ velocity_plan = Velocity plan
 turned_plan = {$plan}, turned by {$angle}°
 acceleration_plan = Acceleration plan
 centers = Instant centres
+force_plan = Force plan
+lever = Lever
 # A special point that lies off the sheet.
 far_away = {$point}: {$distance} from {$from}
 # At the line to an image that lies off the panel.
@@ -143,8 +177,13 @@ modes_left_out = Of the other assembly modes only the first {$count} are drawn.
 # What is drawn of a path on other branches of the motion.
 centrodes = Centrodes of link {$links}, near the mechanism: full in the frame, dashed in the link.
 no_centrodes = Link {$links} turns about a fixed point or does not turn: it has no centrodes.
-inflection_circle = Inflection circle of link {$link}: diameter {$diameter}, through instant centre P and inflection pole W.
-no_inflection_circle = Link {$link} does not turn: it has no inflection circle.
+inflection_circle = Inflection circle of link {$link}: diameter {$diameter}, through instant centre {$center} and inflection pole {$pole}.
+no_inflection_circle = Link {$link} turns about a fixed point or does not turn: it has no inflection circle.
+no_centers = {$centers}: the links rest on one another, so that they have no instant centre here.
+no_velocities_by_centers = Velocity of {$points} by centres: not found. It takes one drive that moves, and centres of the point's link that do not coincide.
+no_curvatures = Curvature of the path of {$points}: not found. It takes two pins of the link on cranks or on blocks in the frame, and a centre of the link that is not fixed.
+radius_of_curvature = Radius of curvature of the path of {$point}: {$radius}.
+no_radius_of_curvature = The path of {$point} has an inflection.
 paths_beyond = Dashed: beyond the limits of the drive.
 agreement = Construction and loop equations agree: rates differ by {$difference} of the largest (crossings allow {$allowed}).
 one_route_far = A special point lies at infinity: rates are from the loop equations alone.
@@ -164,10 +203,14 @@ named_scheme = scheme
 named_velocity_plan = velocity plan
 named_acceleration_plan = acceleration plan
 named_centers = instant centres
+named_force_plan = force plan
+named_lever = lever
 described_scheme = the mechanism to scale
 described_velocity_plan = its velocity plan
 described_acceleration_plan = its acceleration plan
 described_centers = its instant centres
+described_force_plan = its force plan
+described_lever = its lever
 described_group = class {$class}, links {$links}
 # The class of a group above class IV.
 higher = higher
@@ -1169,6 +1212,8 @@ drawing-scheme = scheme
 drawing-velocity_plan = velocity plan
 drawing-acceleration_plan = acceleration plan
 drawing-centers = figure of instant centres
+drawing-force_plan = force plan
+drawing-lever = lever
 drawing-overflow = the {$panel} does not fit into its panel at {$key} = {$given} and is cut off there; {$fitting} fits, or a larger sheet
 drawing-no_scale = none
 drawing-cost_of_list = scales leave room for the list of results: {$scales}
@@ -1798,6 +1843,16 @@ page-figure-no_trace = This mechanism has no cycle to draw paths of.
 page-figure-beyond = Paths go on beyond limits
 page-figure-ghosts = Pale positions of the links
 page-figure-ghosts_unit = over the cycle
+page-figure-centers = Instant centres
+page-figure-centers_help = The panel of instant centres is chosen under “What is shown”.
+page-figure-wanted_centers = Centres
+page-figure-usual_centers = the usual ones
+page-figure-all_centers = all
+page-figure-these_centers = these
+page-figure-velocities = Velocities by centres
+page-figure-curvature = Curvature of the paths of points
+page-figure-centrodes = Centrodes of links, on the scheme
+page-figure-inflection = Inflection circles of links, on the scheme
 page-figure-labels = Other letters
 page-figure-labels_help = Shown in place of a name. B_1 writes a subscript.
 page-figure-label_of = Text for {$name}
@@ -2297,6 +2352,18 @@ page-sheets-centers_panel = Instant centres
 page-sheets-centers_name = figure of instant centres
 page-sheets-centers_title = Instant centres
 page-sheets-centers_from = From the centres
+page-sheets-forces_short = Forces
+page-sheets-forces_scaled = Forces
+page-sheets-forces_panel = Force plan
+page-sheets-forces_name = force plan
+page-sheets-forces_title = Force plan
+page-sheets-forces_from = From the force plan
+page-sheets-lever_short = Lever
+page-sheets-lever_scaled = Lever
+page-sheets-lever_panel = Lever
+page-sheets-lever_name = lever
+page-sheets-lever_title = Lever
+page-sheets-lever_from = From the lever
 
 
 ## The workbench: refused

@@ -12,11 +12,13 @@
 //!   centres of three links to a line.
 //! - Lines to poles: `kennedy` holds instant centres by Kennedy's lines to independent digits and to the motion, and finds them for all chains of four, six and eight
 //!   links with the fewest crossings.
+//!   `by_centers` holds velocities and centres of curvature by them to the motion and to closed forms; `centers_drawn` reads their symbols on figures and in steps.
 //!   `centers_checked` holds forms of centres to independent digits.
 //! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles, `studies` the assemblies of a study's mechanisms to those of each by itself; `planted_modes` and
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
 //!   `levers` turns slotted levers round.
-//! - Forces: `forces` holds what joints and drives carry to 35 cases of 60 digits, to virtual power, to energy over a turn and to momentum.
+//! - Forces: `forces` holds what joints and drives carry to 35 cases of 60 digits, to virtual power, to energy over a turn and to momentum;
+//!   `polygons` holds force plans to these cases, and of random groups to the equations of equilibrium, and sees their polygons close.
 //! - Drives: `driven_sliders` holds cylinders and telescopes to independent truth, from lengths and as drawn, and
 //!   their plans to closing; `driven_cycles` moves each of their drives; `cycle` holds paths to closed forms, random
 //!   mechanisms and finite differences.
@@ -55,9 +57,11 @@ mod assemblies;
 mod bad_scenes;
 mod board_shown;
 mod boards;
+mod by_centers;
 mod camera;
 mod centers;
 mod centers_checked;
+mod centers_drawn;
 mod cheats;
 mod committed_files;
 mod complete_plans;
@@ -100,6 +104,7 @@ mod plan_vectors;
 mod planted_mistakes;
 mod planted_modes;
 mod point_paths;
+mod polygons;
 mod properties;
 mod published_numbers;
 mod published_sets;

@@ -3,7 +3,7 @@
 /**
  * A part of the figure.
  */
-export type Panel = "scheme" | "velocity" | "acceleration" | "centers";
+export type Panel = "scheme" | "velocity" | "acceleration" | "centers" | "forces" | "lever";
 /**
  * A kind of thing that has quantities.
  */
@@ -287,7 +287,7 @@ export type SceneNearValue = SceneVector | number;
 /**
  * A part of the figure.
  */
-export type ScenePanel = "scheme" | "velocity" | "acceleration" | "centers";
+export type ScenePanel = "scheme" | "velocity" | "acceleration" | "centers" | "forces" | "lever";
 /**
  * The plans for which scales are chosen that the scene does not give.
  */
@@ -2575,6 +2575,14 @@ export interface SceneFigure {
    */
   mu_c?: number;
   /**
+   * Scale of the force plan: units of force per millimetre of paper.
+   */
+  mu_f?: number;
+  /**
+   * Scale of the lever: units of velocity per millimetre of paper.
+   */
+  mu_h?: number;
+  /**
    * For which plans scales are chosen that are not given; left out: "position".
    */
   scales?: SceneScalesFor;
@@ -2688,9 +2696,13 @@ export interface SceneFigure {
    */
   centers?: SceneCenters;
   /**
-   * Points of links whose velocities that panel shows, found by centres from the one driven link.
+   * Points of links whose velocities that panel shows, found by centres from the one drive.
    */
   velocities?: string[];
+  /**
+   * Points of links for whose paths that panel shows the centres of curvature, by Bobillier's construction.
+   */
+  curvature?: string[];
   /**
    * Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a
    * photograph of them is read; left out: true.
@@ -2706,23 +2718,39 @@ export const SHEETS = [
     "key": "scheme",
     "scale": "mu_l",
     "isPlan": false,
+    "isUsual": true,
     "vector": ""
   },
   {
     "key": "velocity",
     "scale": "mu_v",
     "isPlan": true,
+    "isUsual": true,
     "vector": "v"
   },
   {
     "key": "acceleration",
     "scale": "mu_a",
     "isPlan": true,
+    "isUsual": true,
     "vector": "a"
   },
   {
     "key": "centers",
     "scale": "mu_c",
+    "isPlan": false,
+    "isUsual": false,
+    "vector": ""
+  },
+  {
+    "key": "forces",
+    "scale": "mu_f",
+    "isPlan": false,
+    "vector": ""
+  },
+  {
+    "key": "lever",
+    "scale": "mu_h",
     "isPlan": false,
     "vector": ""
   }
