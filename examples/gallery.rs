@@ -112,7 +112,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 30] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 31] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -230,6 +230,13 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 30] = [
         "draw scene.json --turned clockwise",
         "Turned velocities: the plan's lines are parallel to the links.",
         Kind::Figure(|figure| figure.turned = Some(TurnedName::Clockwise)),
+    ),
+    (
+        "forces",
+        "examples/figure-2-forces.json",
+        "draw scene.json",
+        "What the joints carry: Ritter's moment and the polygons of the paper's group under loads, and Zhukovsky's lever.",
+        Kind::Figure(|_| ()),
     ),
     (
         "step",

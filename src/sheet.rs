@@ -14,7 +14,7 @@ use std::ops::{Index, IndexMut};
 /// A sheet of the construction, and the panel of the figure that shows it; each has its own scale.
 ///
 /// Sheets are ordered as they are drawn. A plan needs the scheme, and that of accelerations the one of velocities; the centres need
-/// none of them.
+/// none of them; forces need the motion for inertia alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "Panel", description = "A part of the figure.")]
 #[serde(rename_all = "lowercase")]
@@ -28,6 +28,10 @@ pub enum Sheet {
     Acceleration,
     /// The mechanism once more, with the lines that lead to its instant centres: at a scale of its own, as centres may be far.
     Centers,
+    /// The force plan: polygons of the forces on links and groups.
+    Forces,
+    /// Zhukovsky's lever: the velocity plan turned by 90° clockwise, with forces at the images of their points.
+    Lever,
 }
 
 /// The order of a derivative of the position by time. Each has a plan, which is drawn from a pole, and needs those before
@@ -92,7 +96,7 @@ pub struct SheetFacts {
 }
 
 /// The sheets in the order of their variants, which is that in which they are drawn.
-const FACTS: [SheetFacts; 4] = [
+const FACTS: [SheetFacts; 6] = [
     SheetFacts {
         sheet: Sheet::Scheme,
         word: "scheme",
@@ -141,6 +145,30 @@ const FACTS: [SheetFacts; 4] = [
         segment: "L",
         order: None,
     },
+    SheetFacts {
+        sheet: Sheet::Forces,
+        word: "forces",
+        name: "force plan",
+        letter: 'F',
+        drawn: QuantityKind::Force,
+        scale_key: "mu_f",
+        scale_symbol: "μ_F",
+        scaled_units: "units of force",
+        segment: "fplan",
+        order: None,
+    },
+    SheetFacts {
+        sheet: Sheet::Lever,
+        word: "lever",
+        name: "lever",
+        letter: 'H',
+        drawn: QuantityKind::Velocity,
+        scale_key: "mu_h",
+        scale_symbol: "μ_h",
+        scaled_units: "units of velocity",
+        segment: "hplan",
+        order: None,
+    },
 ];
 
 impl Sheet {
@@ -167,6 +195,8 @@ impl Sheet {
             Sheet::Velocity => &FACTS[1],
             Sheet::Acceleration => &FACTS[2],
             Sheet::Centers => &FACTS[3],
+            Sheet::Forces => &FACTS[4],
+            Sheet::Lever => &FACTS[5],
         }
     }
 
@@ -202,6 +232,8 @@ impl Sheet {
             Sheet::Velocity => &[Sheet::Scheme, Sheet::Velocity],
             Sheet::Acceleration => &[Sheet::Scheme, Sheet::Velocity, Sheet::Acceleration],
             Sheet::Centers => &[Sheet::Centers],
+            Sheet::Forces => &[Sheet::Scheme, Sheet::Forces],
+            Sheet::Lever => &[Sheet::Lever],
         }
     }
 

@@ -1,7 +1,9 @@
 use super::cut::{Special, SpecialId};
 use super::kennedy::{Center, CenterId, Centers};
+use super::lever::Lever;
 use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{Along, LineId, Operation, PlaceId, StepId};
+use super::polygon::ForcePlan;
 use super::run::{Disturbance, Values};
 use super::step::{Action, Arrow, NumberedStep, Plan, Ray, VectorOf};
 use crate::geometry::{Ball, Point};
@@ -26,6 +28,10 @@ pub struct Construction {
     pub plans: [Plan; 2],
     /// The instant centres that the figure asks for, and how they are found.
     pub centers: Option<Box<Centers>>,
+    /// The force plan, where the figure asks for it.
+    pub forces: Option<Box<ForcePlan>>,
+    /// The levers of the drives, where the figure asks for them.
+    pub levers: Vec<Lever>,
     /// The sheets that a hand draws, whose quantities forms ask for: the mechanism and its plans; where the figure has the centres, these and the plans
     /// that it shows.
     pub by_hand: Vec<Sheet>,
@@ -84,6 +90,8 @@ impl Construction {
             steps: PerSheet::default(),
             plans: Order::ALL.map(Plan::new),
             centers: None,
+            forces: None,
+            levers: Vec::new(),
             by_hand: Sheet::USUAL.to_vec(),
             turned: None,
             operations: Vec::new(),
@@ -206,7 +214,7 @@ impl Construction {
             NumberKind::SpeedByCenters(point) => format!("v({}).size", mechanism.point_name(*point)),
             NumberKind::RateByCenters(link) => Rate::Angular(Order::Velocity, *link).name(mechanism),
             NumberKind::Reading(name) => name.clone(),
-            NumberKind::Size => String::new(),
+            NumberKind::Size | NumberKind::Force | NumberKind::Arm | NumberKind::Moment => String::new(),
         }
     }
 

@@ -7,7 +7,7 @@
 //!
 //! In reading order: `cut` (cut lines and special points); `operation` and `number` (what a hand and a calculator do),
 //! carried out by `run`; `writer`, which writes them down in the [`Construction`]; what is drawn: `body`,
-//! `leg`, `group`, `images`; `solution`, which goes through all groups; `kennedy`, instant centres on a sheet of their own. `enclosed` carries all out on the true
+//! `leg`, `group`, `images`; `solution`, which goes through all groups; `kennedy`, instant centres on a sheet of their own; `polygon`, the force plan; `lever`, Zhukovsky's lever. `enclosed` carries all out on the true
 //! position and motion; `step`, `markup`, `sentence`, `equations` and `passage` are for captions; `turned` shows the velocity plan turned.
 //!
 //! To add something that a hand does: an [`OperationKind`] with its errors, and how it is carried out in `run`. To add
@@ -53,11 +53,13 @@ mod images;
 #[doc(hidden)] // for tests
 pub mod kennedy;
 mod leg;
+mod lever;
 mod markup;
 mod name;
 mod number;
 mod operation;
 mod passage;
+mod polygon;
 mod run;
 mod sentence;
 mod solution;
@@ -69,6 +71,7 @@ pub use constructed::{Agreement, Construction, Extent};
 pub use cut::{Course, CutLine, Special, SpecialId, Term};
 pub(crate) use enclosed::Truth;
 pub use kennedy::{Center, CenterId, CenterLine, CenterOrigin, CenterVelocity, Centers, CurvatureStep, FigureOf, Spot};
+pub use lever::{Lever, LeverForce, LeverStep};
 pub use markup::{Formula, FormulaTerm, Known, display, shown_text};
 pub(crate) use markup::{plain_text, rate_symbol};
 pub(crate) use name::point_on;
@@ -78,6 +81,9 @@ pub use operation::{
     Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, Reference, StepId,
 };
 pub use passage::{Aim, Passage};
+pub use polygon::{
+    ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint, Polygon, Side, SideKind,
+};
 pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::{PlanVector, Teller};
 pub use solution::{Solution, construct};

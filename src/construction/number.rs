@@ -35,6 +35,8 @@ pub enum ProductKind {
     Coriolis,
     /// A slide rate, along its guide.
     Sliding,
+    /// A force times its arm.
+    Moment,
 }
 
 /// An equation for rates: Σ coefficient · unknown = Σ right.
@@ -62,6 +64,12 @@ pub enum NumberKind {
     SpeedByCenters(PointId),
     /// The signed size of a vector that is laid off.
     Size,
+    /// The signed size of a force.
+    Force,
+    /// The signed arm of a force about a point.
+    Arm,
+    /// A couple, counter-clockwise positive.
+    Moment,
     /// A measurement that no later operation uses, with the name of its quantity.
     Reading(String),
 }

@@ -58,6 +58,14 @@ pub enum OperationRole {
     CenterLine(CenterId, usize),
     /// An instant centre, where two such lines cross.
     Center(CenterId),
+    /// The place where a load acts: its index among the loads of the force plan.
+    Load(usize),
+    /// A line of action of a force, or a normal to it.
+    ForceLine,
+    /// The foot of the normal from a point to a line of action.
+    Foot,
+    /// The point about which moments are taken, where two lines of action cross.
+    MomentPoint,
     /// A ray towards a plan point.
     Ray,
     /// A plan point where two rays cross.

@@ -2,8 +2,10 @@
 
 use super::constructed::Construction;
 use super::kennedy::CurvatureStep;
+use super::lever::LeverStep;
 use super::markup::marked;
 use super::operation::StepId;
+use super::polygon::ForceStep;
 use super::sentence::Teller;
 use super::step::{Action, Arrow, NumberedStep, PointRole, Ray, RayOf, Relation, VectorOf};
 use crate::sheet::Sheet;
@@ -28,6 +30,12 @@ pub enum Aim {
     Center,
     /// A velocity by centres.
     CenterVelocity,
+    /// A sum of moments, or the force of a drive along its guide.
+    Moments,
+    /// A force polygon.
+    Polygon,
+    /// What a drive needs, by its lever.
+    Lever,
     /// The centre of curvature of a path.
     Curvature,
     /// That there is no construction.
@@ -54,6 +62,7 @@ impl Construction {
         let mut passages: Vec<Passage> = Vec::new();
         // What the present passage already has: its sheet, the group of special points, whether its aim is reached.
         let mut present: Option<(Sheet, Option<usize>, bool)> = None;
+        let mut polygon = None;
         for (index, step) in steps.iter().enumerate() {
             let last = passages.last().map(|passage| passage.aim);
             let aim = aim(&steps[index..], last);
@@ -68,8 +77,9 @@ impl Construction {
                         Aim::SpecialPoints => own == group,
                         Aim::Crossing => !is_reached || step.action.is_measured(),
                         Aim::Start | Aim::Images => true,
-                        Aim::Rates | Aim::Center | Aim::CenterVelocity | Aim::Curvature => !is_reached,
-                        Aim::Nothing | Aim::PermanentCenters => false,
+                        Aim::Rates | Aim::Center | Aim::CenterVelocity | Aim::Curvature | Aim::Lever => !is_reached,
+                        Aim::Polygon => step.action.polygon() == polygon,
+                        Aim::Nothing | Aim::PermanentCenters | Aim::Moments => false,
                     }
             });
             let was_reached = joins && present.is_some_and(|(.., is_reached)| is_reached);
@@ -79,8 +89,10 @@ impl Construction {
                     | Action::Solve { .. }
                     | Action::Center(_)
                     | Action::VelocityByCenters(_)
+                    | Action::Lever(LeverStep::Effort(_))
                     | Action::Curvature { step: CurvatureStep::Center, .. }
             );
+            polygon = step.action.polygon();
             present = Some((step.sheet, group, was_reached || reached));
             match passages.last_mut().filter(|_| joins) {
                 Some(passage) => passage.steps[1] = step.number,
@@ -110,6 +122,15 @@ fn aim(steps: &[NumberedStep<'_>], last: Option<Aim>) -> Aim {
         Action::LeaveOut { .. } | Action::CenterLine { .. } | Action::Center(_) => Aim::Center,
         Action::RateByCenters { .. } | Action::RateBySlide { .. } | Action::VelocityByCenters(_) => Aim::CenterVelocity,
         Action::Curvature { .. } => Aim::Curvature,
+        Action::Lever(_) => Aim::Lever,
+        Action::Force(ForceStep::ByNumbers(_)) => Aim::Nothing,
+        Action::Force(_) => {
+            if first.action.polygon().is_some() {
+                Aim::Polygon
+            } else {
+                Aim::Moments
+            }
+        }
         Action::Divide { .. } | Action::Coincide { .. } => Aim::Images,
         Action::Measure { .. } => {
             let after = actions().find(|action| !action.is_measured());
@@ -152,7 +173,7 @@ impl Teller<'_> {
         let steps: Vec<NumberedStep<'_>> = self.construction.steps_of(passage).collect();
         let first = match steps.as_slice() {
             [] => return String::new(),
-            [step] => return self.caption(step),
+            [step] if passage.aim != Aim::Polygon => return self.caption(step),
             [first, ..] => first,
         };
         let told = self.told(&steps);
@@ -187,7 +208,16 @@ impl Teller<'_> {
                 let lines = |step: &&NumberedStep<'_>| !matches!(step.action, Action::CenterLine { .. });
                 steps.iter().filter(lines).map(|step| self.caption(step)).collect()
             }
-            Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity | Aim::Curvature => {
+            Aim::Polygon => {
+                let actions: Vec<&Action> = steps.iter().map(|step| step.action).collect();
+                self.polygon_caption(&actions).into_iter().collect()
+            }
+            // Its forces are seen.
+            Aim::Lever => {
+                let is_told = |step: &&NumberedStep<'_>| !matches!(step.action, Action::Lever(LeverStep::Arm(..)));
+                steps.iter().filter(is_told).map(|step| self.caption(step)).collect()
+            }
+            Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity | Aim::Curvature | Aim::Moments => {
                 steps.iter().map(|step| self.caption(step)).collect()
             }
         };

@@ -114,7 +114,10 @@ impl<'a> Teller<'a> {
                 language.solve(&names.join(", "))
             }
             Action::NoConstruction(far) => no_construction(self.words, far),
-            centers => self.caption_of_centers(centers).unwrap_or_default(),
+            other => {
+                let found = self.caption_of_centers(other).or_else(|| self.caption_of_forces(other));
+                found.or_else(|| self.caption_of_lever(other)).unwrap_or_default()
+            }
         }
     }
 
@@ -137,7 +140,10 @@ impl<'a> Teller<'a> {
             | Action::Coincide { .. }
             | Action::Solve { .. }
             | Action::NoConstruction(_) => Formula::default(),
-            centers => self.formula_of_centers(centers).unwrap_or_default(),
+            other => {
+                let found = self.formula_of_centers(other).or_else(|| self.formula_of_forces(other));
+                found.or_else(|| self.formula_of_lever(other)).unwrap_or_default()
+            }
         }
     }
 

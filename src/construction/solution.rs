@@ -4,7 +4,9 @@ use super::constructed::{Construction, Extent};
 use super::cut::{Special, SpecialId, special_points};
 use super::kennedy::{MOST_LINKS, missing_of_centers};
 use super::leg::DrawnSpecial;
+use super::lever::levers;
 use super::markup::{no_construction, plain_text};
+use super::polygon::force_plan;
 use super::step::Action;
 use super::writer::Writer;
 use crate::centers::LinkPair;
@@ -46,6 +48,7 @@ impl Solution {
         if scene.figure.shown_panels().contains(&Sheet::Centers) {
             construction = with_centers(&scene.figure, (&mechanism, &pose, &motion), construction);
         }
+        construction = with_forces(&scene.figure, (&mechanism, &pose, &motion), construction);
         // A work sheet is drawn on.
         let turned = scene.figure.turned.filter(|_| !scene.figure.worksheet);
         let turned = turned.map(|sense| Box::new(construction.turned(sense)));
@@ -145,6 +148,25 @@ fn with_centers(
     let drawn: Vec<Sheet> = figure.shown_panels().into_iter().filter(|sheet| *sheet != Sheet::Scheme).collect();
     let needed = |sheet: &Sheet| drawn.iter().any(|drawn| drawn.with_those_needed().contains(sheet));
     writer.construction.by_hand = Sheet::ALL.into_iter().filter(needed).collect();
+    writer.construction
+}
+
+/// A construction with the force plan and the levers that a figure asks for; without loads, and in a singular position, there are none.
+fn with_forces(
+    figure: &Figure,
+    (mechanism, pose, motion): (&Mechanism, &Pose, &Motion),
+    construction: Construction,
+) -> Construction {
+    let panels = figure.shown_panels();
+    if !panels.iter().any(|panel| matches!(panel, Sheet::Forces | Sheet::Lever)) || mechanism.loads.is_none() {
+        return construction;
+    }
+    let Some(computed) = forces(mechanism, &AtPose::new(mechanism, pose)) else { return construction };
+    let mut writer = Writer::continued(mechanism, pose, motion, construction);
+    force_plan(&mut writer, &computed, panels.contains(&Sheet::Forces));
+    if panels.contains(&Sheet::Lever) {
+        writer.construction.levers = levers(&mut writer, &computed);
+    }
     writer.construction
 }
 

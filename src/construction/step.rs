@@ -2,6 +2,8 @@
 
 use super::cut::SpecialId;
 use super::kennedy::{CenterId, CenterLine, Centers, CurvatureStep, FigureOf};
+use super::lever::LeverStep;
+use super::polygon::ForceStep;
 use crate::centers::LinkPair;
 use crate::geometry::Vector;
 use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
@@ -133,6 +135,10 @@ pub enum Action {
         /// What is drawn.
         step: CurvatureStep,
     },
+    /// Something of the force plan.
+    Force(ForceStep),
+    /// Something of a lever.
+    Lever(LeverStep),
     /// There is no construction by two rays: names of the special points at infinity, where these are the reason; else
     /// none.
     NoConstruction(Vec<String>),
@@ -189,7 +195,9 @@ impl NumberedStep<'_> {
             | Action::CenterLine { .. }
             | Action::LeaveOut { .. }
             | Action::CentersByRates(_)
-            | Action::Curvature { .. } => Vec::new(),
+            | Action::Curvature { .. }
+            | Action::Force(_)
+            | Action::Lever(_) => Vec::new(),
             action => {
                 let image = self.plan.zip(action.image());
                 image.map(|(plan, point)| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()

@@ -37,6 +37,13 @@ pub(super) struct Begun {
     first: usize,
 }
 
+impl Begun {
+    /// The index of its first operation.
+    pub(super) fn first(self) -> usize {
+        self.first
+    }
+}
+
 impl<'a> Writer<'a> {
     /// A writer with the poles of the plans and the rates that the scene gives.
     pub(super) fn new(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion, extent: Extent) -> Self {
@@ -232,6 +239,19 @@ impl<'a> Writer<'a> {
         let exact = Pair::between(self.construction.origin, self.pose.point(point));
         self.construction.record.exact.places[place.0] = exact;
         self.name_place(sheet, name, place);
+        place
+    }
+
+    /// A place of the scheme that is no joint, with the bound of its error.
+    pub(super) fn plot_place(&mut self, role: OperationRole, at: Pair<Ball>) -> PlaceId {
+        self.plot_exact(Sheet::Scheme, role, at - Pair::<Ball>::from(self.construction.origin.coords))
+    }
+
+    /// A place of a sheet, in its units, with the bound of its error.
+    pub(super) fn plot_exact(&mut self, sheet: Sheet, role: OperationRole, exact: Pair<Ball>) -> PlaceId {
+        let place = self.next_place();
+        self.push(sheet, role, OperationKind::Plot { place, at: exact.rounded() });
+        self.construction.record.exact.places[place.0] = exact;
         place
     }
 

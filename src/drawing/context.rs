@@ -269,6 +269,8 @@ pub(super) enum ValueOf {
     Rate(BodyId),
     /// A given length of a link.
     Length([PointId; 2]),
+    /// What a joint carries or a drive needs; it stands in the list alone.
+    Force,
 }
 
 impl Value {
@@ -280,7 +282,7 @@ impl Value {
     /// Whether it is a result that is listed; relative motions of two points of a link and given lengths are not.
     pub(super) fn is_listed(&self) -> bool {
         match &self.of {
-            ValueOf::Rate(_) => true,
+            ValueOf::Rate(_) | ValueOf::Force => true,
             ValueOf::Vector(vector) => {
                 matches!(vector.part, VectorPart::Whole | VectorPart::Sliding | VectorPart::Coriolis)
             }

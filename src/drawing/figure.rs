@@ -399,6 +399,8 @@ fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> Message {
         Sheet::Velocity => says::velocity_plan(),
         Sheet::Acceleration => says::acceleration_plan(),
         Sheet::Centers => says::centers(),
+        Sheet::Forces => says::force_plan(),
+        Sheet::Lever => says::lever(),
     };
     let written = |mu| Wording::default().write(mu, SCALE);
     let fitting = fitting.map_or_else(says::no_scale, |mu| written(mu).into());

@@ -76,6 +76,7 @@ mod facts;
 mod figure;
 mod film;
 mod fonts;
+mod forces;
 #[doc(hidden)] // for tests
 pub mod grid;
 mod held_layout;
@@ -84,6 +85,7 @@ mod labels;
 mod laid_out;
 mod layout;
 
+mod lever;
 mod lines;
 mod look;
 pub mod markers;

@@ -4,7 +4,9 @@ use super::canvas::{Canvas, Held};
 use super::centers;
 use super::context::SheetContext;
 use super::dims::Dims;
+use super::forces;
 use super::layout::{Needs, Placed, ROW};
+use super::lever;
 use super::lines::Line;
 use super::markers::PlacedPanel;
 use super::overlay::OwnLayer;
@@ -232,6 +234,8 @@ fn extents_with(context: &SheetContext<'_>, scheme: impl Fn(&SheetContext<'_>) -
         let extent = match sheet {
             Sheet::Scheme => scheme(context),
             Sheet::Centers => centers::extent(context),
+            Sheet::Forces => forces::extent(context)?,
+            Sheet::Lever => lever::extent(context)?,
             Sheet::Velocity | Sheet::Acceleration => {
                 plan::on_paper::extent(context.plan(sheet)?, context.figure().construction)
             }
@@ -315,24 +319,26 @@ pub(super) fn panels<'a>(
 
 /// The layer with the scheme or a plan.
 pub(super) fn content<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Layer<'a> {
-    layer(context, sheet, [scheme::draw, centers::draw], plan::draw)
+    layer(context, sheet, [scheme::draw, centers::draw, forces::draw, lever::draw], plan::draw)
 }
 
 /// The layer with the hints at the subject of each step.
 pub(super) fn hints<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Layer<'a> {
-    layer(context, sheet, [scheme::hints, centers::hints], plan::hints)
+    layer(context, sheet, [scheme::hints, centers::hints, |_, _, _| (), lever::hints], plan::hints)
 }
 
 /// A layer of the scheme or of a plan; a plan that a position does not have is not drawn.
 fn layer<'a>(
     context: &'a SheetContext<'a>,
     sheet: Sheet,
-    [of_scheme, of_centers]: [fn(&mut Canvas<'_>, &View, &SheetContext<'_>); 2],
+    [of_scheme, of_centers, of_forces, of_lever]: [fn(&mut Canvas<'_>, &View, &SheetContext<'_>); 4],
     of_plan: fn(&mut Canvas<'_>, &View, &SheetContext<'_>, &Plan),
 ) -> Layer<'a> {
     Box::new(move |canvas: &mut Canvas<'_>, view: &View| match sheet {
         Sheet::Scheme => of_scheme(canvas, view, context),
         Sheet::Centers => of_centers(canvas, view, context),
+        Sheet::Forces => of_forces(canvas, view, context),
+        Sheet::Lever => of_lever(canvas, view, context),
         Sheet::Velocity | Sheet::Acceleration => {
             if let Some(plan) = context.plan(sheet) {
                 of_plan(canvas, view, context, plan);

@@ -5,7 +5,7 @@ use super::facts::Steps;
 use super::sheet::Drawing;
 use super::text::RichText;
 use super::words::{BELOW, BETWEEN, EQUATION, FIRST, ROW, SECOND, Writer, width_of};
-use crate::construction::{Action, Aim, Known, NumberedStep, Passage, shown_text};
+use crate::construction::{Action, Aim, ForceStep, Known, LeverStep, NumberedStep, Passage, shown_text};
 use crate::sheet::Sheet;
 use kurbo::{Point, Rect};
 
@@ -18,9 +18,22 @@ impl Writer<'_> {
             Aim::Rates => steps.iter().filter(|step| matches!(step.action, Action::Solve { .. })).collect(),
             Aim::Start => steps.iter().filter(|step| matches!(step.action, Action::LayOff(_))).collect(),
             Aim::Center => steps.iter().filter(|step| matches!(step.action, Action::Center(_))).collect(),
-            Aim::Images | Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity | Aim::Curvature => {
-                steps.iter().collect()
+            // Its equation is the same in all steps that have it.
+            Aim::Polygon => {
+                let has_equation = |step: &&NumberedStep<'_>| {
+                    matches!(step.action, Action::Force(ForceStep::Cross(..) | ForceStep::Close(..)))
+                };
+                steps.iter().filter(has_equation).take(1).collect()
             }
+            Aim::Lever => {
+                steps.iter().filter(|step| matches!(step.action, Action::Lever(LeverStep::Effort(_)))).collect()
+            }
+            Aim::Images
+            | Aim::Nothing
+            | Aim::PermanentCenters
+            | Aim::CenterVelocity
+            | Aim::Curvature
+            | Aim::Moments => steps.iter().collect(),
         };
         match with_details.as_slice() {
             [step] => self.details(step),

@@ -26,6 +26,8 @@ const BOUND: NumberStyle = NumberStyle::bound().on(Medium::Figure);
 /// `beside` mm of the width are kept free.
 pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f64, has_list: bool) -> Lines {
     let (sentence, agrees) = routes(context);
+    let sentence = [sentence, forces(context).unwrap_or_default()].map(|said| said.trim().to_owned());
+    let sentence = sentence.into_iter().filter(|said| !said.is_empty()).collect::<Vec<_>>().join(" ");
     let is_projected = context.surface.series == Series::Any || context.surface.dims.unit > 1.0;
     let is_said = !agrees || (!has_list && !is_projected);
     // On a screen there is no paper to be measured on.
@@ -74,6 +76,9 @@ fn routes(context: &SheetContext<'_>) -> (String, bool) {
         let [difference, allowed] = [worst.difference, worst.allowed].map(|x| context.words.write(x, BOUND));
         return (language.centers_differ(&difference, &allowed), true);
     }
+    if !has_plan && construction.forces.is_some() {
+        return (String::new(), true);
+    }
     let known = construction.agreement.iter().flatten();
     let worst = known.max_by(|a, b| a.difference.total_cmp(&b.difference));
     match worst {
@@ -87,6 +92,13 @@ fn routes(context: &SheetContext<'_>) -> (String, bool) {
             (why.to_owned(), false)
         }
     }
+}
+
+/// The sentence on the agreement of a force plan with the equations of equilibrium.
+fn forces(context: &SheetContext<'_>) -> Option<String> {
+    let worst = context.construction().forces.as_ref()?.agreement?;
+    let [difference, allowed] = [worst.difference, worst.allowed].map(|x| context.words.write(x, BOUND));
+    Some(context.words.language.forces_differ(&difference, &allowed))
 }
 
 /// The sentences on what the scheme shows of a cycle besides the position, and on inflection circles, in markup.

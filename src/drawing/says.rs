@@ -7,6 +7,8 @@ messages! { "drawing":
     velocity_plan;
     acceleration_plan;
     centers;
+    force_plan;
+    lever;
     overflow(panel, key, given, fitting);
     no_scale;
     cost_of_list(scales);

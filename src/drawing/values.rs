@@ -3,6 +3,7 @@
 
 use super::canvas::{Canvas, Wanted, ascii};
 use super::context::{SheetContext, Value, ValueOf};
+use super::forces;
 use super::labels::LabelRequest;
 use super::layout::{Aside, Item, Layout};
 use super::shape::Shape;
@@ -53,14 +54,16 @@ impl SheetContext<'_> {
 
 /// All values of a figure, in the order of the panels; none where it shows none.
 fn values(context: &SheetContext<'_>, shown: ValuesShown) -> Vec<Value> {
-    let ValuesShown::Shown(unit) = shown else {
-        return Vec::new();
-    };
     let own = context.solution.scene.units;
+    let ValuesShown::Shown(unit) = shown else {
+        let list = List { context, units: own, factor: 1.0 };
+        return list.of_forces();
+    };
     let length = unit.unwrap_or(own.length);
     let list = List { context, units: Units { length, ..own }, factor: own.length.metres() / length.metres() };
     let of_panel = |&panel: &Sheet| match panel {
         Sheet::Scheme => list.of_scheme(),
+        Sheet::Forces => list.of_forces(),
         plan => list.of_plan(plan),
     };
     context.figure().shown_panels().iter().flat_map(of_panel).collect()
@@ -79,7 +82,9 @@ impl List<'_> {
     fn value(&self, panel: Sheet, symbol: String, number: f64, kind: QuantityKind, since: u16, of: ValueOf) -> Value {
         let words = &self.context.words;
         let (written, unit) = match kind {
-            QuantityKind::Length => (words.write(number, GIVEN), kind.unit(self.context.solution.scene.units)),
+            QuantityKind::Length if panel != Sheet::Forces => {
+                (words.write(number, GIVEN), kind.unit(self.context.solution.scene.units))
+            }
             QuantityKind::Velocity | QuantityKind::Acceleration => {
                 (words.write(number * self.factor, VALUE), kind.unit(self.units))
             }
@@ -142,6 +147,14 @@ impl List<'_> {
             values.push(self.value(Sheet::Scheme, symbol, number, kind, since, ValueOf::Rate(link)));
         }
         values
+    }
+
+    /// What joints carry and drives need, where there is a force plan: its results, which no length of the plan shows at once.
+    fn of_forces(&self) -> Vec<Value> {
+        let all = forces::values::results(self.context).into_iter();
+        let since = self.context.construction().step_count() as u16;
+        all.map(|(symbol, number, kind)| self.value(Sheet::Forces, symbol, number, kind, since, ValueOf::Force))
+            .collect()
     }
 
     /// Sizes of a plan's vectors; equal vectors share a value.
@@ -222,7 +235,7 @@ impl SheetContext<'_> {
         let wanted = self.solution.scene.want.iter().flatten().filter_map(|name| QuantityName::parse(name));
         let wanted: Vec<QuantityName> = wanted.collect();
         self.values.iter().filter(move |value| match &value.of {
-            ValueOf::Rate(_) => true,
+            ValueOf::Rate(_) | ValueOf::Force => true,
             ValueOf::Vector(vector) if vector.part == VectorPart::Whole => {
                 let is_image = |point: &str| image_name(point) == vector.ends[1];
                 let is_wanted = wanted.iter().any(|name| name.arguments.first().is_some_and(|point| is_image(point)));
@@ -258,7 +271,7 @@ pub(super) fn label<'c>(
 ) -> &'c mut Wanted {
     let number = match &value.of {
         ValueOf::Rate(link) => context.number(*link),
-        ValueOf::Vector(_) | ValueOf::Length(..) => None,
+        ValueOf::Vector(_) | ValueOf::Length(..) | ValueOf::Force => None,
     };
     let request = LabelRequest {
         may_stand_apart: value.is_listed() && value.number != 0.0,
@@ -280,6 +293,7 @@ fn rank(value: &Value) -> u8 {
         (ValueOf::Vector(_), _) if value.is_listed() => 2,
         (ValueOf::Vector(_), _) => 1,
         (ValueOf::Length(_), _) => 0,
+        (ValueOf::Force, _) => 3,
     }
 }
 

@@ -265,7 +265,11 @@ impl Writer<'_> {
         let value = match (action, drawn) {
             (Action::Measure { value, .. }, _) => self.size(*value, sheet),
             (_, Some((_, vector))) => self.vector(vector, sheet),
-            _ => match self.context.teller().value_of_centers(action) {
+            _ if self.context.teller().force_of_step(action).is_some() => {
+                let force = self.context.teller().force_of_step(action).unwrap_or_default();
+                self.vector(force, sheet)
+            }
+            _ => match self.context.teller().value_of_step(action) {
                 Some((value, kind)) => {
                     let unit = kind.unit(self.context.solution.scene.units);
                     format!("{} {unit}", self.context.words.write(value, VALUE))

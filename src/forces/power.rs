@@ -5,21 +5,50 @@ use super::acting::Acting;
 use super::carried::{Drive, Forces};
 use crate::geometry::{Ball, Vector};
 use crate::mechanism::{BodyId, Mechanism, Role, SliderId};
-use crate::motion::bounded_motion;
+use crate::motion::{Places, State, bounded_motion};
 use crate::sheet::Order;
 
-/// What moves a drive.
+/// What a drive moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Driven {
+pub enum Driven {
+    /// A link, which turns.
     Body(BodyId),
+    /// A slider, along its guide.
     Slider(SliderId),
 }
 
-/// What each drive needs, by both routes; `None` where a velocity has no bound.
-pub(super) fn drives(mechanism: &Mechanism, posed: &impl Posed, forces: &Forces) -> Option<Vec<Drive>> {
+impl Driven {
+    /// The rate that the scene gives it.
+    pub(crate) fn rate(self, mechanism: &Mechanism) -> Option<f64> {
+        match self {
+            Driven::Body(body) => match mechanism.body(body).role {
+                Role::Driver { omega, .. } => Some(omega),
+                _ => None,
+            },
+            Driven::Slider(slider) => mechanism.slider(slider).drive.map(|drive| drive.speed),
+        }
+    }
+}
+
+/// All drives: links first, then sliders.
+fn driven(mechanism: &Mechanism) -> impl Iterator<Item = Driven> {
     let turned = mechanism.body_ids().filter(|&body| matches!(mechanism.body(body).role, Role::Driver { .. }));
     let pushed = mechanism.slider_ids().filter(|&slider| mechanism.slider(slider).drive.is_some());
-    let all = turned.map(Driven::Body).chain(pushed.map(Driven::Slider));
+    turned.map(Driven::Body).chain(pushed.map(Driven::Slider))
+}
+
+/// The velocities of all bodies by drive, while it runs at rate 1 and the others stand.
+pub(crate) fn lever_states(mechanism: &Mechanism, places: &impl Places) -> Vec<(Driven, State)> {
+    let state = |drive| (drive, bounded_motion(&with_unit_rate(mechanism, drive), places, Order::Velocity));
+    driven(mechanism).map(state).collect()
+}
+
+/// What each drive needs, by both routes; `None` where a velocity has no bound.
+pub(super) fn drives(
+    mechanism: &Mechanism,
+    posed: &(impl Posed<Ball> + Places),
+    forces: &Forces,
+) -> Option<Vec<Drive>> {
     let drive = |driven: Driven| {
         let state = bounded_motion(&with_unit_rate(mechanism, driven), posed, Order::Velocity);
         let power = |load: &Acting| {
@@ -30,7 +59,7 @@ pub(super) fn drives(mechanism: &Mechanism, posed: &impl Posed, forces: &Forces)
         let by_power = -powers.iter().fold(Ball::default(), |sum, &power| sum + power);
         let by_bodies = match driven {
             Driven::Body(body) => forces.torque(body),
-            Driven::Slider(slider) => forces.push(mechanism, slider, posed.guide(slider)),
+            Driven::Slider(slider) => forces.push(mechanism, slider, Places::guide(posed, slider)),
         };
         let (body, slider) = match driven {
             Driven::Body(body) => (Some(body), None),
@@ -38,7 +67,7 @@ pub(super) fn drives(mechanism: &Mechanism, posed: &impl Posed, forces: &Forces)
         };
         by_power.is_known().then_some(Drive { body, slider, effort: by_bodies, by_power, powers })
     };
-    all.map(drive).collect()
+    driven(mechanism).map(drive).collect()
 }
 
 /// The mechanism with one drive at rate 1, and all other given motions at rest.

@@ -46,6 +46,10 @@ impl Solution {
             let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
             list.heading(&language.routes_differ(&difference, &allowed));
         }
+        if let Some(agreement) = construction.forces.as_ref().and_then(|plan| plan.agreement) {
+            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            list.heading(&language.forces_differ(&difference, &allowed));
+        }
         if let Some(agreement) = construction.centers.as_ref().and_then(|centers| centers.agreement) {
             let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
             list.heading(&language.centers_differ(&difference, &allowed));
@@ -249,11 +253,16 @@ impl StepList<'_> {
             Action::RateByCenters { .. }
             | Action::RateBySlide { .. }
             | Action::VelocityByCenters(_)
-            | Action::Curvature { .. } => {
+            | Action::Curvature { .. }
+            | Action::Force(_)
+            | Action::Lever(_) => {
+                if let (Action::Force(_), Some(force)) = (step.action, self.teller.force_of_step(step.action)) {
+                    return vec![format!("{equation} = {}", self.vector(force, sheet))];
+                }
                 if equation.is_empty() {
                     return Vec::new();
                 }
-                let value = self.teller.value_of_centers(step.action);
+                let value = self.teller.value_of_step(step.action);
                 let value = value.map(|(value, kind)| format!(" = {} {}", self.digits(value), kind.unit(self.units)));
                 vec![equation + &value.unwrap_or_default()]
             }

@@ -45,7 +45,7 @@ pub struct PointId(pub usize);
 pub struct BodyId(pub usize);
 
 /// Index of a joint in [`Mechanism::joints`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct JointId(pub usize);
 
 /// Index of a slider in [`Mechanism::sliders`].

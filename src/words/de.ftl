@@ -116,6 +116,30 @@ curvatures_differ = Die Krümmungsmittelpunkte aus diesen Geraden und aus der be
 velocity_of_center = {$vector} antragen, die von {$center}: Glied {$link} dreht sich nicht.
 centers_differ = Die Pole aus diesen Geraden und aus der berechneten Bewegung unterscheiden sich um {$difference} der Größe des Getriebes; die Schnitte erlauben {$allowed}.
 
+weight_letter = G
+one_link = Glied {$link}
+several_links = Glieder {$links}
+force_moments = Momente um {$point}, {$links}: {$force}.
+force_moments_crossing = Momente um den Schnittpunkt der Wirkungslinien von {$first} und {$second}, {$links}: {$force}.
+force_couple = Momente um {$point}, {$links}: {$couple}, mit dem die Kraft in der Führung von {$guide} neben {$point} wirkt.
+force_begin = Krafteck, {$links}, mit {$scale}: {$force} antragen.
+force_lay_off = {$force} antragen.
+force_direction = Richtung von {$force} zeichnen.
+force_cross = Der Schnittpunkt ergibt {$first} und {$second}.
+force_close = {$force} schließt das Krafteck.
+force_sum = {$force} ist die Summe der Anteile.
+force_inner = {$force} schließt das Krafteck für {$links} allein.
+force_push = Entlang der Führung von {$guide} schiebt der Antrieb mit {$force}.
+forces_by_numbers = Für die Gelenkkräfte, {$links}, gibt es hier keine Konstruktion: sie sind aus den Gleichgewichtsbedingungen angetragen.
+force_polygon = Krafteck, {$links}: {$known} antragen.
+force_polygon_closed = Schließende Kräfte: {$forces}.
+force_polygon_joined = Aus Ecken: {$forces}.
+forces_differ = Die Kräfte aus diesen Kraftecken und aus den Gleichgewichtsbedingungen unterscheiden sich um {$difference} der größten Kraft; Rundung und Schnitte erlauben {$allowed}.
+lever_turn = Den Geschwindigkeitsplan um 90° im Uhrzeigersinn drehen: er ist ein Hebel.
+lever_turn_for = Die Geschwindigkeiten um 90° im Uhrzeigersinn drehen, während {$drive} mit Rate 1 läuft und die anderen Antriebe stehen: sie bilden einen Hebel.
+lever_arm = {$force} wirkt im Bild ihres Punktes: den Hebelarm messen.
+lever_effort = Momente um den Pol ergeben {$effort}: keine Gelenkkraft hat eines.
+
 # The figure.
 
 title = Geschwindigkeits- und Beschleunigungsplan
@@ -125,6 +149,8 @@ velocity_plan = Geschwindigkeitsplan
 turned_plan = {$plan}, um {$angle}° gedreht
 acceleration_plan = Beschleunigungsplan
 centers = Momentanpole
+force_plan = Kräfteplan
+lever = Hebel
 far_away = {$point}: {$distance} von {$from}
 far_in_plan = bis {$point}: {$distance}
 cut_at_edge = am Rand abgeschnitten
@@ -164,10 +190,14 @@ named_scheme = Lageplan
 named_velocity_plan = Geschwindigkeitsplan
 named_acceleration_plan = Beschleunigungsplan
 named_centers = Momentanpole
+named_force_plan = Kräfteplan
+named_lever = Hebel
 described_scheme = der Mechanismus im Maßstab
 described_velocity_plan = sein Geschwindigkeitsplan
 described_acceleration_plan = sein Beschleunigungsplan
 described_centers = seine Momentanpole
+described_force_plan = sein Kräfteplan
+described_lever = sein Hebel
 described_group = Klasse {$class}, Glieder {$links}
 higher = über IV
 
@@ -1150,6 +1180,8 @@ drawing-scheme = der Lageplan
 drawing-velocity_plan = der Geschwindigkeitsplan
 drawing-acceleration_plan = der Beschleunigungsplan
 drawing-centers = die Figur der Momentanpole
+drawing-force_plan = Kräfteplan
+drawing-lever = Hebel
 drawing-overflow = {$panel} passt bei {$key} = {$given} nicht in sein Feld und ist dort abgeschnitten; {$fitting} passt, oder ein größeres Blatt
 drawing-no_scale = keiner
 drawing-cost_of_list = die Maßstäbe lassen Platz für die Ergebnisliste: {$scales}
@@ -2180,6 +2212,7 @@ page-board-turned = gedreht um den Winkel
 page-board-at_base = von
 page-board-angle = unter dem Winkel
 page-board-other_way = Andersherum
+page-board-quarter = Um ein Viertel drehen: längs oder quer (T)
 page-board-as_it_comes = wie es herauskommt
 page-board-sign_back = Den letzten Teil wegnehmen
 page-board-ccw = gegen den Uhrzeiger
@@ -2287,6 +2320,18 @@ page-sheets-centers_panel = Momentanpole
 page-sheets-centers_name = Figur der Momentanpole
 page-sheets-centers_title = Momentanpole
 page-sheets-centers_from = Aus den Polen
+page-sheets-forces_short = Kräfte
+page-sheets-forces_scaled = Kräfte
+page-sheets-forces_panel = Kräfteplan
+page-sheets-forces_name = Kräfteplan
+page-sheets-forces_title = Kräfteplan
+page-sheets-forces_from = Aus dem Kräfteplan
+page-sheets-lever_short = Hebel
+page-sheets-lever_scaled = Hebel
+page-sheets-lever_panel = Hebel
+page-sheets-lever_name = Hebel
+page-sheets-lever_title = Hebel
+page-sheets-lever_from = Aus dem Hebel
 
 
 ## The workbench: refused

@@ -122,6 +122,30 @@ curvatures_differ = The centres of curvature from these lines and from the compu
 velocity_of_center = Lay off {$vector}, that of {$center}: link {$link} does not turn.
 centers_differ = The centres from these lines and from the computed motion differ by {$difference} of the mechanism's size; the crossings allow {$allowed}.
 
+weight_letter = W
+one_link = link {$link}
+several_links = links {$links}
+force_moments = Moments of {$links} about {$point} give {$force}.
+force_moments_crossing = Moments of {$links} about the crossing of the lines of {$first} and {$second} give {$force}.
+force_couple = Moments of {$links} about {$point} give {$couple}, by which the force in the guide of {$guide} acts beside {$point}.
+force_begin = Polygon of {$links}, at {$scale}: lay {$force} off.
+force_lay_off = Lay {$force} off.
+force_direction = Draw the direction of {$force}.
+force_cross = The crossing gives {$first} and {$second}.
+force_close = {$force} closes the polygon.
+force_sum = {$force} is the sum of its parts.
+force_inner = {$force} closes the polygon of {$links} alone.
+force_push = Along the guide of {$guide} the drive pushes with {$force}.
+forces_by_numbers = What the joints of {$links} carry has no construction here: it is laid off from the equations of equilibrium.
+force_polygon = Polygon of {$links}: lay off {$known}.
+force_polygon_closed = {$forces} close it.
+force_polygon_joined = Corners give {$forces}.
+forces_differ = The forces from these polygons and from the equations of equilibrium differ by {$difference} of the largest force; rounding and the crossings allow {$allowed}.
+lever_turn = Turn the velocity plan by 90° clockwise: it is a lever.
+lever_turn_for = Turn the velocities by 90° clockwise, while {$drive} runs at rate 1 and the other drives stand: they are a lever.
+lever_arm = {$force} acts at the image of its point: measure its arm.
+lever_effort = Moments about the pole give {$effort}: no joint's force has one.
+
 # The figure.
 
 # Title of a figure whose scene has none.
@@ -132,6 +156,8 @@ velocity_plan = Velocity plan
 turned_plan = {$plan}, turned by {$angle}°
 acceleration_plan = Acceleration plan
 centers = Instant centres
+force_plan = Force plan
+lever = Lever
 # A special point that lies off the sheet.
 far_away = {$point}: {$distance} from {$from}
 # At the line to an image that lies off the panel.
@@ -178,10 +204,14 @@ named_scheme = scheme
 named_velocity_plan = velocity plan
 named_acceleration_plan = acceleration plan
 named_centers = instant centres
+named_force_plan = force plan
+named_lever = lever
 described_scheme = the mechanism to scale
 described_velocity_plan = its velocity plan
 described_acceleration_plan = its acceleration plan
 described_centers = its instant centres
+described_force_plan = its force plan
+described_lever = its lever
 described_group = class {$class}, links {$links}
 # The class of a group above class IV.
 higher = higher
@@ -1183,6 +1213,8 @@ drawing-scheme = scheme
 drawing-velocity_plan = velocity plan
 drawing-acceleration_plan = acceleration plan
 drawing-centers = figure of instant centres
+drawing-force_plan = force plan
+drawing-lever = lever
 drawing-overflow = the {$panel} does not fit into its panel at {$key} = {$given} and is cut off there; {$fitting} fits, or a larger sheet
 drawing-no_scale = none
 drawing-cost_of_list = scales leave room for the list of results: {$scales}
@@ -2213,6 +2245,7 @@ page-board-turned = turned by the angle
 page-board-at_base = from
 page-board-angle = at the angle
 page-board-other_way = The other way round
+page-board-quarter = Turn by a quarter: along or across (T)
 page-board-as_it_comes = as it comes
 page-board-sign_back = Take back the last part
 page-board-ccw = counter-clockwise
@@ -2320,6 +2353,18 @@ page-sheets-centers_panel = Instant centres
 page-sheets-centers_name = figure of instant centres
 page-sheets-centers_title = Instant centres
 page-sheets-centers_from = From the centres
+page-sheets-forces_short = Forces
+page-sheets-forces_scaled = Forces
+page-sheets-forces_panel = Force plan
+page-sheets-forces_name = force plan
+page-sheets-forces_title = Force plan
+page-sheets-forces_from = From the force plan
+page-sheets-lever_short = Lever
+page-sheets-lever_scaled = Lever
+page-sheets-lever_panel = Lever
+page-sheets-lever_name = lever
+page-sheets-lever_title = Lever
+page-sheets-lever_from = From the lever
 
 
 ## The workbench: refused

@@ -114,6 +114,30 @@ curvatures_differ = Los centros de curvatura según estas rectas y según el mov
 velocity_of_center = Trazar {$vector}, la de {$center}: el eslabón {$link} no gira.
 centers_differ = Los centros por estas rectas y los del movimiento calculado difieren en {$difference} del tamaño del mecanismo; los cortes permiten {$allowed}.
 
+weight_letter = W
+one_link = el eslabón {$link}
+several_links = los eslabones {$links}
+force_moments = Los momentos de {$links} respecto a {$point} dan {$force}.
+force_moments_crossing = Los momentos de {$links} respecto al cruce de las líneas de {$first} y {$second} dan {$force}.
+force_couple = Los momentos de {$links} respecto a {$point} dan {$couple}, con el que la fuerza en la guía de {$guide} actúa al lado de {$point}.
+force_begin = Polígono de {$links}, a {$scale}: se traza {$force}.
+force_lay_off = Se traza {$force}.
+force_direction = Se traza la dirección de {$force}.
+force_cross = El cruce da {$first} y {$second}.
+force_close = {$force} cierra el polígono.
+force_sum = {$force} es la suma de sus componentes.
+force_inner = {$force} cierra el polígono de {$links} solo.
+force_push = A lo largo de la guía de {$guide} el accionamiento empuja con {$force}.
+forces_by_numbers = Para las reacciones de {$links} no hay aquí construcción: se trazan a partir de las ecuaciones de equilibrio.
+force_polygon = Polígono de {$links}: se trazan {$known}.
+force_polygon_closed = Lo cierran {$forces}.
+force_polygon_joined = Los vértices dan {$forces}.
+forces_differ = Las fuerzas de estos polígonos y de las ecuaciones de equilibrio difieren en {$difference} de la fuerza mayor; el redondeo y los cruces permiten {$allowed}.
+lever_turn = Se gira el plano de velocidades 90° en sentido horario: es una palanca.
+lever_turn_for = Se giran las velocidades 90° en sentido horario, mientras {$drive} marcha a velocidad 1 y los demás accionamientos están parados: forman una palanca.
+lever_arm = {$force} actúa en la imagen de su punto: se mide su brazo.
+lever_effort = Los momentos respecto al polo dan {$effort}: ninguna reacción tiene momento.
+
 # The figure.
 
 title = Planos de velocidades y aceleraciones
@@ -123,6 +147,8 @@ velocity_plan = Plano de velocidades
 turned_plan = {$plan}, girado {$angle}°
 acceleration_plan = Plano de aceleraciones
 centers = Centros instantáneos
+force_plan = Plano de fuerzas
+lever = Palanca
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = hasta {$point}: {$distance}
 cut_at_edge = recortado en el borde
@@ -162,10 +188,14 @@ named_scheme = esquema
 named_velocity_plan = plano de velocidades
 named_acceleration_plan = plano de aceleraciones
 named_centers = centros instantáneos
+named_force_plan = plano de fuerzas
+named_lever = palanca
 described_scheme = el mecanismo a escala
 described_velocity_plan = su plano de velocidades
 described_acceleration_plan = su plano de aceleraciones
 described_centers = sus centros instantáneos
+described_force_plan = su plano de fuerzas
+described_lever = su palanca
 described_group = clase {$class}, eslabones {$links}
 higher = superior
 
@@ -1148,6 +1178,8 @@ drawing-scheme = el esquema
 drawing-velocity_plan = el plano de velocidades
 drawing-acceleration_plan = el plano de aceleraciones
 drawing-centers = la figura de centros instantáneos
+drawing-force_plan = plano de fuerzas
+drawing-lever = palanca
 drawing-overflow = {$panel} no cabe en su panel con {$key} = {$given} y queda recortado; cabe con {$fitting}, o en una hoja mayor
 drawing-no_scale = ninguna
 drawing-cost_of_list = las escalas dejan espacio para la lista de resultados: {$scales}
@@ -2178,6 +2210,7 @@ page-board-turned = girada el ángulo
 page-board-at_base = desde
 page-board-angle = con el ángulo
 page-board-other_way = En sentido contrario
+page-board-quarter = Girar un cuarto: a lo largo o a través (T)
 page-board-as_it_comes = como sale
 page-board-sign_back = Quitar la última parte
 page-board-ccw = antihorario
@@ -2285,6 +2318,18 @@ page-sheets-centers_panel = Centros instantáneos
 page-sheets-centers_name = figura de centros instantáneos
 page-sheets-centers_title = Centros instantáneos
 page-sheets-centers_from = De los centros
+page-sheets-forces_short = Fuerzas
+page-sheets-forces_scaled = Fuerzas
+page-sheets-forces_panel = Plano de fuerzas
+page-sheets-forces_name = plano de fuerzas
+page-sheets-forces_title = Plano de fuerzas
+page-sheets-forces_from = Del plano de fuerzas
+page-sheets-lever_short = Palanca
+page-sheets-lever_scaled = Palanca
+page-sheets-lever_panel = Palanca
+page-sheets-lever_name = palanca
+page-sheets-lever_title = Palanca
+page-sheets-lever_from = De la palanca
 
 
 ## The workbench: refused

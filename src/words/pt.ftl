@@ -116,6 +116,30 @@ curvatures_differ = Os centros de curvatura por estas retas e pelo movimento cal
 velocity_of_center = Traçar {$vector}, a de {$center}: o elo {$link} não gira.
 centers_differ = Os centros por estas retas e os do movimento calculado diferem em {$difference} do tamanho do mecanismo; os cruzamentos permitem {$allowed}.
 
+weight_letter = P
+one_link = o elo {$link}
+several_links = os elos {$links}
+force_moments = Momentos em relação a {$point}, {$links}: {$force}.
+force_moments_crossing = Momentos em relação ao cruzamento das linhas de {$first} e {$second}, {$links}: {$force}.
+force_couple = Momentos em relação a {$point}, {$links}: {$couple}, com o qual a força na guia de {$guide} atua ao lado de {$point}.
+force_begin = Polígono, {$links}, em {$scale}: traça-se {$force}.
+force_lay_off = Traça-se {$force}.
+force_direction = Traça-se a direção de {$force}.
+force_cross = O cruzamento dá {$first} e {$second}.
+force_close = {$force} fecha o polígono.
+force_sum = {$force} é a soma das suas componentes.
+force_inner = {$force} fecha o polígono só para {$links}.
+force_push = Ao longo da guia de {$guide} o acionamento empurra com {$force}.
+forces_by_numbers = Para as reações, {$links}, não há aqui construção: são traçadas a partir das equações de equilíbrio.
+force_polygon = Polígono, {$links}: traçam-se {$known}.
+force_polygon_closed = Fecham-no {$forces}.
+force_polygon_joined = Os vértices dão {$forces}.
+forces_differ = As forças destes polígonos e das equações de equilíbrio diferem em {$difference} da maior força; o arredondamento e os cruzamentos permitem {$allowed}.
+lever_turn = Gira-se o plano de velocidades 90° no sentido horário: é uma alavanca.
+lever_turn_for = Giram-se as velocidades 90° no sentido horário, enquanto {$drive} anda à taxa 1 e os outros acionamentos param: formam uma alavanca.
+lever_arm = {$force} atua na imagem do seu ponto: mede-se o braço.
+lever_effort = Os momentos em relação ao polo dão {$effort}: nenhuma reação tem momento.
+
 # The figure.
 
 title = Polígonos de velocidades e acelerações
@@ -125,6 +149,8 @@ velocity_plan = Polígono de velocidades
 turned_plan = {$plan}, girado de {$angle}°
 acceleration_plan = Polígono de acelerações
 centers = Centros instantâneos
+force_plan = Plano de forças
+lever = Alavanca
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = até {$point}: {$distance}
 cut_at_edge = cortado na borda
@@ -164,10 +190,14 @@ named_scheme = esquema
 named_velocity_plan = polígono de velocidades
 named_acceleration_plan = polígono de acelerações
 named_centers = centros instantâneos
+named_force_plan = plano de forças
+named_lever = alavanca
 described_scheme = o mecanismo em escala
 described_velocity_plan = seu polígono de velocidades
 described_acceleration_plan = seu polígono de acelerações
 described_centers = seus centros instantâneos
+described_force_plan = o seu plano de forças
+described_lever = a sua alavanca
 described_group = classe {$class}, elos {$links}
 higher = superior
 
@@ -1150,6 +1180,8 @@ drawing-scheme = esquema
 drawing-velocity_plan = polígono de velocidades
 drawing-acceleration_plan = polígono de acelerações
 drawing-centers = a figura de centros instantâneos
+drawing-force_plan = plano de forças
+drawing-lever = alavanca
 drawing-overflow = o {$panel} não cabe no seu painel com {$key} = {$given} e fica cortado ali; cabe com {$fitting}, ou em uma folha maior
 drawing-no_scale = nenhuma
 drawing-cost_of_list = as escalas deixam espaço para a lista de resultados: {$scales}
@@ -2180,6 +2212,7 @@ page-board-turned = girada do ângulo
 page-board-at_base = desde
 page-board-angle = com o ângulo
 page-board-other_way = No sentido contrário
+page-board-quarter = Girar um quarto: ao longo ou através (T)
 page-board-as_it_comes = como sai
 page-board-sign_back = Tirar a última parte
 page-board-ccw = anti-horário
@@ -2287,6 +2320,18 @@ page-sheets-centers_panel = Centros instantâneos
 page-sheets-centers_name = figura de centros instantâneos
 page-sheets-centers_title = Centros instantâneos
 page-sheets-centers_from = Dos centros
+page-sheets-forces_short = Forças
+page-sheets-forces_scaled = Forças
+page-sheets-forces_panel = Plano de forças
+page-sheets-forces_name = plano de forças
+page-sheets-forces_title = Plano de forças
+page-sheets-forces_from = Do plano de forças
+page-sheets-lever_short = Alavanca
+page-sheets-lever_scaled = Alavanca
+page-sheets-lever_panel = Alavanca
+page-sheets-lever_name = alavanca
+page-sheets-lever_title = Alavanca
+page-sheets-lever_from = Da alavanca
 
 
 ## The workbench: refused

@@ -153,6 +153,33 @@ sentences! {
     velocity_of_center(vector, center, link);
     centers_differ(difference, allowed);
 
+    // The force plan.
+    /// The letter of a weight.
+    weight_letter;
+    one_link(link);
+    several_links(links);
+    force_moments(links, point, force);
+    force_moments_crossing(links, first, second, force);
+    force_couple(links, point, couple, guide);
+    force_begin(links, scale, force);
+    force_lay_off(force);
+    force_direction(force);
+    force_cross(first, second);
+    force_close(force);
+    force_sum(force);
+    force_inner(force, links);
+    force_push(guide, force);
+    forces_by_numbers(links);
+    force_polygon(links, known);
+    force_polygon_closed(forces);
+    force_polygon_joined(forces);
+    forces_differ(difference, allowed);
+    lever_turn;
+    /// With several drives.
+    lever_turn_for(drive);
+    lever_arm(force);
+    lever_effort(effort);
+
     // The figure.
     /// Title of a figure whose scene has none.
     title;
@@ -161,6 +188,8 @@ sentences! {
     turned_plan(plan, angle);
     acceleration_plan;
     centers;
+    force_plan;
+    lever;
     /// A special point that lies off the sheet.
     far_away(point, distance, from);
     /// At the line to an image that lies off the panel.
@@ -207,10 +236,14 @@ sentences! {
     named_velocity_plan;
     named_acceleration_plan;
     named_centers;
+    named_force_plan;
+    named_lever;
     described_scheme;
     described_velocity_plan;
     described_acceleration_plan;
     described_centers;
+    described_force_plan;
+    described_lever;
     described_group(class, links);
     /// The class of a group above class IV.
     higher;
@@ -449,6 +482,8 @@ impl Language {
             Sheet::Velocity => [self.velocity_plan(), self.described_velocity_plan()],
             Sheet::Acceleration => [self.acceleration_plan(), self.described_acceleration_plan()],
             Sheet::Centers => [self.centers(), self.described_centers()],
+            Sheet::Forces => [self.force_plan(), self.described_force_plan()],
+            Sheet::Lever => [self.lever(), self.described_lever()],
         }
     }
 
@@ -487,6 +522,8 @@ fn named_sheet(sheet: Sheet) -> Key {
         Sheet::Velocity => Key::named_velocity_plan,
         Sheet::Acceleration => Key::named_acceleration_plan,
         Sheet::Centers => Key::named_centers,
+        Sheet::Forces => Key::named_force_plan,
+        Sheet::Lever => Key::named_lever,
     }
 }
 

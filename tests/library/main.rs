@@ -17,7 +17,8 @@
 //! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles, `studies` the assemblies of a study's mechanisms to those of each by itself; `planted_modes` and
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
 //!   `levers` turns slotted levers round.
-//! - Forces: `forces` holds what joints and drives carry to 35 cases of 60 digits, to virtual power, to energy over a turn and to momentum.
+//! - Forces: `forces` holds what joints and drives carry to 35 cases of 60 digits, to virtual power, to energy over a turn and to momentum;
+//!   `polygons` holds force plans to these cases, and of random groups to the equations of equilibrium, and sees their polygons close.
 //! - Drives: `driven_sliders` holds cylinders and telescopes to independent truth, from lengths and as drawn, and
 //!   their plans to closing; `driven_cycles` moves each of their drives; `cycle` holds paths to closed forms, random
 //!   mechanisms and finite differences.
@@ -103,6 +104,7 @@ mod plan_vectors;
 mod planted_mistakes;
 mod planted_modes;
 mod point_paths;
+mod polygons;
 mod properties;
 mod published_numbers;
 mod published_sets;

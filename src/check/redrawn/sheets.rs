@@ -302,7 +302,7 @@ impl<'a> Sheets<'a> {
     fn on_figure(&self, sheet: Sheet, at: Vector) -> Point {
         match sheet {
             Sheet::Scheme | Sheet::Centers => self.own.construction.origin + at,
-            Sheet::Velocity | Sheet::Acceleration => Point::from(at),
+            Sheet::Velocity | Sheet::Acceleration | Sheet::Forces | Sheet::Lever => Point::from(at),
         }
     }
 }

@@ -20,7 +20,8 @@ impl Teller<'_> {
     }
 
     /// A link in the index of a symbol.
-    fn link_in_symbol(&self, link: BodyId) -> String {
+    #[must_use]
+    pub fn link_in_symbol(&self, link: BodyId) -> String {
         link_in_index(link, self.mechanism, &self.words.notation, &|name| {
             link_in_words(name, self.mechanism, self.words)
         })
@@ -226,9 +227,15 @@ impl Teller<'_> {
         }
     }
 
-    /// The number that such a step finds, and its kind.
+    /// The number that a step finds which is no segment of a plan, and its kind.
     #[must_use]
-    pub fn value_of_centers(&self, action: &Action) -> Option<(f64, QuantityKind)> {
+    pub fn value_of_step(&self, action: &Action) -> Option<(f64, QuantityKind)> {
+        let found = self.value_of_centers(action).or_else(|| self.value_of_forces(action));
+        found.or_else(|| self.value_of_lever(action))
+    }
+
+    /// The number that such a step finds, and its kind.
+    fn value_of_centers(&self, action: &Action) -> Option<(f64, QuantityKind)> {
         match action {
             Action::RateByCenters { value, .. } | Action::RateBySlide { value, .. } => {
                 Some((*value, QuantityKind::AngularVelocity))

@@ -4,6 +4,7 @@
 mod centrodes;
 mod drives;
 mod links;
+mod loads;
 pub(super) mod on_paper;
 mod points;
 pub(super) mod sliders;
@@ -54,6 +55,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
         }
     }
     scheme.rotation_arrows(canvas);
+    scheme.loads(canvas);
     scheme.values(canvas);
     scheme.joints(canvas, |_| true);
     for special in context.special() {
@@ -91,6 +93,7 @@ pub(super) fn draw_bare(
 /// Draws the hints of the steps: the measured length, the line to which a ray is normal, the senses of solved rates.
 pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
     let scheme = SchemeOnPaper::new(context, view);
+    scheme.arms(canvas);
     for NumberedStep { number, plan, action, .. } in context.construction().numbered_steps() {
         let number = number as u16;
         let ends = match action {

@@ -24,8 +24,8 @@ import { say, type Saying } from "./words.ts";
 
 /** Narrower than this one sheet is shown at a time. */
 const NARROW = "(max-width: 959.9px)";
-/** Those that are drawn on: instant centres are not yet. */
-const ALL = SHEETS.map(({ key }) => key).filter((key) => key !== "centers");
+/** Those that are drawn on: instant centres and forces are not yet. */
+const ALL = SHEETS.map(({ key }) => key).filter((key) => key === "scheme" || key === "velocity" || key === "acceleration");
 
 /** Shows the board as `app.drawing` says; nothing of it is there before. */
 export function board(app: App): void {

@@ -12,6 +12,8 @@ export interface Drawing {
   readonly mu_v?: number;
   readonly mu_a?: number;
   readonly mu_c?: number;
+  readonly mu_f?: number;
+  readonly mu_h?: number;
   /** What the hand is helped with. */
   readonly snap?: string;
   /** How many hints were opened. */

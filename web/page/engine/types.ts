@@ -3,7 +3,7 @@
 /**
  * A part of the figure.
  */
-export type Panel = "scheme" | "velocity" | "acceleration" | "centers";
+export type Panel = "scheme" | "velocity" | "acceleration" | "centers" | "forces" | "lever";
 /**
  * A kind of thing that has quantities.
  */
@@ -287,7 +287,7 @@ export type SceneNearValue = SceneVector | number;
 /**
  * A part of the figure.
  */
-export type ScenePanel = "scheme" | "velocity" | "acceleration" | "centers";
+export type ScenePanel = "scheme" | "velocity" | "acceleration" | "centers" | "forces" | "lever";
 /**
  * The plans for which scales are chosen that the scene does not give.
  */
@@ -2575,6 +2575,14 @@ export interface SceneFigure {
    */
   mu_c?: number;
   /**
+   * Scale of the force plan: units of force per millimetre of paper.
+   */
+  mu_f?: number;
+  /**
+   * Scale of the lever: units of velocity per millimetre of paper.
+   */
+  mu_h?: number;
+  /**
    * For which plans scales are chosen that are not given; left out: "position".
    */
   scales?: SceneScalesFor;
@@ -2732,6 +2740,18 @@ export const SHEETS = [
     "scale": "mu_c",
     "isPlan": false,
     "isUsual": false,
+    "vector": ""
+  },
+  {
+    "key": "forces",
+    "scale": "mu_f",
+    "isPlan": false,
+    "vector": ""
+  },
+  {
+    "key": "lever",
+    "scale": "mu_h",
+    "isPlan": false,
     "vector": ""
   }
 ] as const;

@@ -3,6 +3,7 @@ import { SHEETS, type Form, type FormRow } from "../../engine/types.ts";
 import { evaluated } from "../../number.ts";
 import { called, type Scale, scaleOf, type Sheet } from "../../sheets.ts";
 import { type FormFile, withHead } from "./form.ts";
+import { LATER } from "../parts/scene.ts";
 import { say } from "./words.ts";
 
 /** The head of the form: name, scales of the student's own sheets, what lengths are written in. */
@@ -61,7 +62,7 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
     };
     root.replaceChildren(
       element("label", { class: "name" }, element("span", {}, say("name")), name),
-      element("fieldset", { class: "scales" }, element("legend", {}, say("scales")), ...SHEETS.filter(({ key }) => key !== "centers" || rows.some((row) => row.panel === key)).map(({ key }) => scaleField(key, rows))),
+      element("fieldset", { class: "scales" }, element("legend", {}, say("scales")), ...SHEETS.filter(({ key }) => !LATER.includes(key) || rows.some((row) => row.panel === key)).map(({ key }) => scaleField(key, rows))),
       element("fieldset", { class: "in" }, element("legend", {}, say("in")), choice("mm", say("in_mm")), choice("units", say("in_units"), own)),
     );
   }

@@ -1,7 +1,7 @@
 import { SHEETS, type Form } from "../../engine/types.ts";
 import { called, scaleOf, type Sheet } from "../../sheets.ts";
 import type { Button, Group, Row } from "../parts/form.ts";
-import { at, unitOn, unitsOf, type Draft } from "../parts/scene.ts";
+import { at, LATER, unitOn, unitsOf, type Draft } from "../parts/scene.ts";
 import { say } from "./words.ts";
 
 /** By sheet: units per mm of paper; null where there is none. */
@@ -15,7 +15,7 @@ export function scales(scene: Draft, present: Scales): Group {
     title: say("scales"),
     help: say("scales_help"),
     rows: [
-      ...SHEETS.filter(({ key }) => key !== "centers" || "centers" in present).map(({ key }) => scale(scene, key, unitOn(units, key), present[key] ?? null)),
+      ...SHEETS.filter(({ key }) => !LATER.includes(key) || key in present).map(({ key }) => scale(scene, key, unitOn(units, key), present[key] ?? null)),
       {
         fields: [
           {

@@ -123,6 +123,7 @@ export interface Units {
   acceleration: string;
   omega: string;
   alpha: string;
+  forces: string;
 }
 
 export function unitsOf(scene: Draft): Units {
@@ -134,10 +135,15 @@ export function unitsOf(scene: Draft): Units {
     acceleration: `${length}/${time}²`,
     omega: `rad/${time}`,
     alpha: `rad/${time}²`,
+    forces: String(at(scene, ["units", "force"]) ?? ""),
   };
 }
 
+/** The sheets that a figure has only where it asks for them. */
+export const LATER: readonly Sheet[] = ["centers", "forces", "lever"];
+
 /** The unit of what a sheet shows. */
 export function unitOn(units: Units, sheet: Sheet): string {
-  return sheet === "velocity" || sheet === "acceleration" ? units[sheet] : units.length;
+  if (sheet === "lever") return units.velocity;
+  return sheet === "scheme" || sheet === "centers" ? units.length : units[sheet];
 }

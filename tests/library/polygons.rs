@@ -1,0 +1,186 @@
+//! Force plans: polygons that close, found by moments with arms measured on the scheme, hold what the equations of equilibrium give,
+//! for cases of independent digits and for random groups of all classes under random loads.
+
+use kinegon::construction::{Action, ForceOf, ForcePart, ForcePlan, ForceStep, SideKind};
+use kinegon::geometry::Vector;
+use kinegon::mechanism::Mechanism;
+use kinegon::{Sheet, Solution};
+use serde_json::{Value, json};
+use support::comparison::{decimal, entries};
+use support::exact::exceeds;
+use support::files;
+use support::planted::{Planted, pattern};
+use support::random::Random;
+use support::stages::solved;
+use support::survey::FORCED;
+
+/// Largest difference of both routes, in parts of the largest force, where no position is close to a singular one.
+const OFF: f64 = 1e-9;
+
+fn with_plan(mut scene: Value) -> Value {
+    scene["figure"]["panels"] = json!(["scheme", "forces", "lever"]);
+    scene
+}
+
+fn plan(solution: &Solution) -> &ForcePlan {
+    solution.construction.forces.as_deref().expect("a force plan")
+}
+
+/// Whether all groups are constructed.
+fn is_constructed(solution: &Solution) -> bool {
+    let steps = &solution.construction.steps[Sheet::Forces];
+    !steps.iter().any(|action| matches!(action, Action::Force(ForceStep::ByNumbers(_))))
+}
+
+/// Each polygon's sides but its diagonals add up to nothing, and so do the forces on each link of a dyad.
+fn check_closed(id: &str, mechanism: &Mechanism, plan: &ForcePlan) {
+    for polygon in &plan.polygons {
+        let size = polygon.sides.iter().map(|side| side.vector.norm()).fold(0.0, f64::max);
+        let around: Vector =
+            polygon.sides.iter().filter(|side| side.kind != SideKind::Diagonal).map(|side| side.vector).sum();
+        assert!(!exceeds(around.norm(), 1e-9 * size), "{id}: {around} of {size}");
+        // In the polygon of a dyad what the inner joint does to one link closes the polygon of each.
+        let &[first, second] = polygon.links.as_slice() else { continue };
+        for link in [first, second] {
+            let sum: Vector = polygon
+                .sides
+                .iter()
+                .map(|side| match side.of {
+                    ForceOf::Joint { part, .. } if part != ForcePart::Whole => Vector::zeros(),
+                    _ if side.on == link => side.vector,
+                    ForceOf::Joint { joint, .. } if mechanism.joint(joint).bodies.contains(&link) => -side.vector,
+                    _ => Vector::zeros(),
+                })
+                .sum();
+            assert!(!exceeds(sum.norm(), 1e-9 * size), "{id}: link {link:?}: {sum} of {size}");
+        }
+    }
+}
+
+fn check(id: &str, solution: &Solution, off: f64) {
+    let plan = plan(solution);
+    check_closed(id, &solution.mechanism, plan);
+    let agreement = plan.agreement.expect("forces to compare");
+    assert!(!exceeds(agreement.difference, agreement.allowed), "{id}: {agreement:?}");
+    assert!(!exceeds(agreement.difference, off), "{id}: {agreement:?}");
+}
+
+/// Each drive needs what its lever says: for a lever of its own moments about the pole, without any joint's force.
+fn check_levers(id: &str, solution: &Solution, truth: Option<&Value>) {
+    let result = serde_json::to_value(solution.result()).expect("a result is JSON");
+    let drives: Vec<(String, Value)> =
+        entries(&result["forces"]["drives"]).map(|(name, drive)| (name.to_owned(), drive.clone())).collect();
+    let levers = &solution.construction.levers;
+    assert_eq!(levers.len(), drives.len(), "{id}");
+    for (lever, (name, drive)) in levers.iter().zip(drives) {
+        let key = if drive["torque"].is_null() { "force" } else { "torque" };
+        let size: f64 = lever.forces.iter().map(|force| (force.size * force.arm).abs()).sum::<f64>() / lever.rate.abs();
+        let found = drive[key].as_f64().expect("a number");
+        assert!(!exceeds((lever.effort - found).abs(), 1e-10 * size), "{id}: {name}: {} {found}", lever.effort);
+        if let Some(truth) = truth {
+            let right: f64 = decimal(&truth[&name][key]).parse().expect("a number");
+            assert!(!exceeds((lever.effort - right).abs(), 1e-8 * size), "{id}: {name}: {} {right}", lever.effort);
+        }
+    }
+}
+
+/// Polygons hold the true forces: those of all pins of 35 cases, some beside singular positions.
+#[test]
+fn polygons_hold_what_is_true() {
+    let text = std::fs::read_to_string(files::path("tests/forces/forces.jsonl")).expect("the cases can be read");
+    let mut seen = 0;
+    for case in text.lines().map(|line| serde_json::from_str::<Value>(line).expect("a case is JSON")) {
+        let id = case["id"].as_str().expect("a name");
+        let solution = solved(&with_plan(case["scene"].clone()).to_string()).expect("it is solved");
+        assert!(is_constructed(&solution), "{id}");
+        check(id, &solution, OFF);
+        check_levers(id, &solution, Some(&case["expected"]["drives"]));
+        let mechanism = &solution.mechanism;
+        let truth = &case["expected"]["reactions"];
+        let vector = |json: &Value| Vector::new(decimal(&json[0]).parse().unwrap(), decimal(&json[1]).parse().unwrap());
+        let all = entries(truth).flat_map(|(_, bodies)| entries(bodies));
+        let largest = all.map(|(_, force)| vector(force).norm()).fold(0.0, f64::max);
+        for side in plan(&solution).polygons.iter().flat_map(|polygon| &polygon.sides) {
+            let ForceOf::Joint { joint, on, part: ForcePart::Whole } = side.of else { continue };
+            let Some(pin) = mechanism.joint(joint).pin else { continue };
+            // What several joints of one pin do to a link is one number there.
+            let joints = mechanism.joints.iter().filter(|other| other.pin == Some(pin));
+            if joints.count() > 1 {
+                continue;
+            }
+            let force = &truth[mechanism.point_name(pin)][&mechanism.body(on).name];
+            if force.is_null() {
+                continue;
+            }
+            let off = (vector(force) - side.vector).norm();
+            assert!(!exceeds(off, 1e-8 * largest), "{id}: {} {}: {off}", mechanism.point_name(pin), side.vector);
+            seen += 1;
+        }
+    }
+    assert!(seen > 200, "only {seen}");
+}
+
+/// Loads for a scene: masses of most links, gravity, two forces and a couple.
+fn loaded(scene: &str, dice: &mut Random) -> Value {
+    let mut scene: Value = serde_json::from_str(scene).expect("a scene is JSON");
+    scene["units"]["mass"] = json!("kg");
+    scene["units"]["force"] = json!("N");
+    scene["gravity"] = json!([0, -9810]);
+    let links: Vec<String> = entries(&scene["links"]).map(|(name, _)| name.to_owned()).collect();
+    for link in &links {
+        // A link without a load carries along its joints alone.
+        if dice.below(4) > 0 {
+            scene["links"][link]["mass"] = json!(dice.between(0.5, 5.0));
+            scene["links"][link]["inertia"] = json!(dice.between(100.0, 5000.0));
+            scene["links"][link]["center"] = json!([dice.within(80.0), dice.within(80.0)]);
+        }
+    }
+    let mut load = || {
+        let on = &links[dice.below(links.len())];
+        let at = [dice.within(80.0), dice.within(80.0)];
+        json!({ "on": on, "at": at, "force": [dice.within(300.0), dice.within(300.0)], "turns": dice.below(2) == 0 })
+    };
+    scene["forces"] = json!([load(), load(), { "on": links[1], "couple": 1500 }]);
+    scene
+}
+
+/// Random groups of all classes and patterns of pins and guides: both routes agree within what is allowed, and no group goes without a
+/// construction.
+#[test]
+fn polygons_and_equations_agree() {
+    let (mut dice, mut seen, mut constructed) = (Random(4711), 0, 0);
+    for number in 0..FORCED.now() {
+        let class = ["II", "III", "IV"][number as usize % 3];
+        let (kinds, joints) = pattern(&mut dice, class);
+        let scene = with_plan(loaded(&Planted::new(&mut dice, &kinds, &joints).scene(), &mut dice));
+        let Ok(solution) = solved(&scene.to_string()) else { continue };
+        if solution.construction.forces.is_none() {
+            continue;
+        }
+        check(&format!("{class} {kinds}\n{scene}"), &solution, 1e-5);
+        check_levers(&format!("{class} {kinds}\n{scene}"), &solution, None);
+        constructed += u32::from(is_constructed(&solution));
+        seen += 1;
+    }
+    assert!(seen * 10 > FORCED.now() as u32 * 8, "only {seen}");
+    assert!(constructed * 100 >= seen * 99, "{constructed} of {seen}");
+}
+
+/// Without the panel there is no force plan, and a scene without loads has none.
+#[test]
+fn a_plan_is_drawn_where_it_is_asked_for() {
+    let text = std::fs::read_to_string(files::path("tests/forces/forces.jsonl")).expect("the cases can be read");
+    let case: Value = serde_json::from_str(text.lines().next().expect("a case")).expect("a case is JSON");
+    let solution = solved(&case["scene"].to_string()).expect("it is solved");
+    assert!(solution.construction.forces.is_none() && solution.construction.steps[Sheet::Forces].is_empty());
+    let scene = json!({
+        "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [160, 0] },
+        "links": {
+            "1": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "angle": 50, "omega": 10 } },
+            "2": { "points": ["B", "C"], "lengths": { "BC": 140 } },
+            "3": { "points": ["D", "C"], "lengths": { "CD": 110 } } },
+        "near": { "angle(3)": 95 }
+    });
+    let solution = solved(&with_plan(scene).to_string()).expect("it is solved");
+    assert!(solution.construction.forces.is_none());
+}
