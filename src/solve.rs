@@ -53,5 +53,10 @@ pub fn order_of_result(scene: &Scene) -> Order {
 #[must_use]
 pub fn order_of_figure(scene: &Scene) -> Order {
     let shows_accelerations = scene.figure.shown_panels().contains(&Sheet::Acceleration);
-    if shows_accelerations || !scene.figure.inflection.is_empty() { Order::Acceleration } else { Order::Velocity }
+    let is_curved = scene.figure.shown_panels().contains(&Sheet::Centers) && !scene.figure.curvature.is_empty();
+    if shows_accelerations || is_curved || !scene.figure.inflection.is_empty() {
+        Order::Acceleration
+    } else {
+        Order::Velocity
+    }
 }

@@ -160,7 +160,19 @@ impl Places for Loaded<'_> {
     }
 }
 
-impl Posed for Loaded<'_> {
+impl Posed<Ball> for Loaded<'_> {
+    fn place(&self, point: PointId) -> Vector {
+        self.places.place(point)
+    }
+
+    fn guide(&self, slider: SliderId) -> Vector {
+        Places::guide(&self.places, slider)
+    }
+
+    fn given(&self, number: f64) -> Ball {
+        self.places.given(number)
+    }
+
     fn axis(&self, body: BodyId) -> Option<Vector> {
         self.enclosure.axis(self.places.given.mechanism, body)
     }

@@ -17,6 +17,6 @@ mod poles;
 
 pub use center::Center;
 pub(crate) use center::{TrueCenter, to_the_right};
-pub use pair::LinkPair;
+pub use pair::{LinkPair, link_in_index};
 pub use permanent::Permanent;
 pub use poles::Moved;

@@ -1,5 +1,5 @@
 use crate::mechanism::{BodyId, GROUND, Mechanism};
-use crate::scene::{FrameName, Head, QuantityName};
+use crate::scene::{Head, QuantityName};
 use crate::words::Notation;
 
 /// Two different links, one of which may be the frame, as the two whose instant centre is meant. P₁₃ and P₃₁ are one point: pairs have no order.
@@ -59,26 +59,38 @@ impl LinkPair {
         format!("{}({a},{b})", Head::Center.word())
     }
 
-    /// The index of its centre's symbol, in markup: `13`, `20` with the frame last, by commas where a link has more than one sign. `shown` gives the text for a
-    /// name. The frame has the text that the figure gives it, else the notation's number for it, else 0, unless a link is called so.
+    /// The index of its centre's symbol, in markup: `13`, `20` with the frame last, by commas where a link has more than one sign.
     #[must_use]
     pub fn index(self, mechanism: &Mechanism, notation: &Notation, shown: &dyn Fn(&str) -> String) -> String {
-        let text = |link: BodyId| {
-            let name = mechanism.body(link).name.as_str();
-            let own = shown(name);
-            match notation.frame.map_or("0", FrameName::as_str) {
-                number if link == GROUND && own == name && mechanism.link(number).is_none() => number.to_owned(),
-                _ => own,
-            }
-        };
-        let [a, b] = self.0.map(text);
+        let [a, b] = self.0.map(|link| link_in_index(link, mechanism, notation, shown));
         let is_short = |text: &String| text.chars().count() == 1;
         if is_short(&a) && is_short(&b) { a + &b } else { format!("{a},{b}") }
     }
 
-    /// The symbol of its centre, in markup: `P_{13}`.
+    /// The symbol of its centre, in markup: `P_{13}`; with primes that of a centre of the mechanism without a link.
     #[must_use]
-    pub fn symbol(self, mechanism: &Mechanism, notation: &Notation, shown: &dyn Fn(&str) -> String) -> String {
-        format!("{}_{{{}}}", notation.center, self.index(mechanism, notation, shown))
+    pub fn symbol(
+        self,
+        primes: usize,
+        mechanism: &Mechanism,
+        notation: &Notation,
+        shown: &dyn Fn(&str) -> String,
+    ) -> String {
+        format!("{}{}_{{{}}}", notation.center, "′".repeat(primes), self.index(mechanism, notation, shown))
+    }
+}
+
+/// A link in the index of a centre's symbol, in markup: as `shown` writes its name; the frame by the notation's number for it, else as 0, unless a link is called so.
+#[must_use]
+pub fn link_in_index(
+    link: BodyId,
+    mechanism: &Mechanism,
+    notation: &Notation,
+    shown: &dyn Fn(&str) -> String,
+) -> String {
+    match (link, notation.frame) {
+        (GROUND, Some(number)) => number.as_str().to_owned(),
+        (GROUND, None) if mechanism.link("0").is_none() => "0".to_owned(),
+        _ => shown(&mechanism.body(link).name),
     }
 }

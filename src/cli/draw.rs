@@ -1,3 +1,4 @@
+use super::centers::{CenterOptions, PoleOptions, check_figure};
 use super::cycle::{refuse_nothing, split_names};
 #[cfg(feature = "png")]
 use super::figures::INCH;
@@ -43,6 +44,7 @@ Examples:
   kinegon draw scene.json -o film.gif           a turn of the drive; or .apng
   kinegon draw scene.json --steps -o lesson/    a sheet for each step
   kinegon draw scene.json --values=m -o v.svg   with values, in m/s and m/s²
+  kinegon draw scene.json --centers=all -o c.pdf  with all instant centres
   kinegon draw scene.json --worksheet -o w.pdf  to measure on, with a table
   kinegon draw scene.json --worksheet=blank -o b.pdf  sheets for the plans
   kinegon draw scene.json --page 16x9 --style lecture -o hall.pdf";
@@ -79,6 +81,10 @@ pub(super) struct Draw {
     /// Draw the links pale in N equally spaced positions over that cycle.
     #[arg(long, value_name = "N")]
     ghosts: Option<u16>,
+    #[command(flatten)]
+    poles: PoleOptions,
+    #[command(flatten)]
+    centers: CenterOptions,
     /// Show values at vectors, links and lengths; velocities and accelerations with this unit of length, as `m` for m/s.
     #[arg(long, value_name = "UNIT", num_args = 0..=1, require_equals = true, default_missing_value = "own", value_parser = values())]
     values: Option<ValuesShown>,
@@ -129,7 +135,7 @@ impl Draw {
         let (mut drawings, mut solved) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
             let solution = solve(&source, most, self.mode.number, |f| self.put_into(f, &style), order_of_figure)?;
-            self.check_traced(&solution.scene)?;
+            self.check_shown(&solution.scene)?;
             #[cfg(feature = "png")]
             self.refuse_large(&solution.scene.figure)?;
             self.refuse_crowded(solution.mechanism.points.len())?;
@@ -217,17 +223,18 @@ impl Draw {
         }
         figure.beyond_limits |= self.beyond_limits;
         figure.ghosts = self.ghosts.map(usize::from).or(figure.ghosts);
+        self.poles.put_into(figure);
+        self.centers.put_into(figure);
         figure.focus = self.focus.or(figure.focus);
         figure.step = self.upto.or(figure.step).filter(|_| self.steps.is_none() && !self.layered && !self.is_blank());
     }
 
-    /// Refuses options `--trace` and `--ghosts` that the scene cannot follow.
-    fn check_traced(&self, scene: &Scene) -> Result<(), Failure> {
-        let figure = &scene.figure;
-        refuse_nothing("--trace", &self.trace, &figure.trace)?;
-        scene.check_traced(&figure.trace, figure.ghosts).map_err(|error| {
-            Failure::of_option(if error.path.starts_with("trace") { "--trace" } else { "--ghosts" }, error)
-        })
+    /// Refuses what options name and the scene does not have.
+    fn check_shown(&self, scene: &Scene) -> Result<(), Failure> {
+        refuse_nothing("--trace", &self.trace, &scene.figure.trace)?;
+        self.poles.check(&scene.figure)?;
+        self.centers.check(&scene.figure)?;
+        check_figure(scene)
     }
 
     /// The workbench with a scene open, with what the command line asks for written into it, and its steps shown, from

@@ -6,6 +6,7 @@
 
 mod begin;
 mod board;
+mod centers;
 mod check;
 mod class;
 mod cycle;

@@ -327,7 +327,7 @@ impl Teller<'_> {
         Some(match *step {
             LeverStep::Turn(index) => match levers.get(index)?.drive {
                 _ if levers.len() == 1 => language.lever_turn().to_owned(),
-                Driven::Body(body) => language.lever_turn_for(self.link_in_symbol(body)),
+                Driven::Body(body) => language.lever_turn_for(&self.link_in_symbol(body)),
                 Driven::Slider(slider) => language.lever_turn_for(&self.slider_name(slider)),
             },
             LeverStep::Arm(index, force) => {

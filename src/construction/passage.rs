@@ -1,6 +1,7 @@
 //! Steps that a lecturer shows together: each passage reaches one aim of the construction.
 
 use super::constructed::Construction;
+use super::kennedy::CurvatureStep;
 use super::lever::LeverStep;
 use super::markup::marked;
 use super::operation::StepId;
@@ -35,6 +36,8 @@ pub enum Aim {
     Polygon,
     /// What a drive needs, by its lever.
     Lever,
+    /// The centre of curvature of a path.
+    Curvature,
     /// That there is no construction.
     Nothing,
 }
@@ -74,7 +77,7 @@ impl Construction {
                         Aim::SpecialPoints => own == group,
                         Aim::Crossing => !is_reached || step.action.is_measured(),
                         Aim::Start | Aim::Images => true,
-                        Aim::Rates | Aim::Center | Aim::CenterVelocity | Aim::Lever => !is_reached,
+                        Aim::Rates | Aim::Center | Aim::CenterVelocity | Aim::Curvature | Aim::Lever => !is_reached,
                         Aim::Polygon => step.action.polygon() == polygon,
                         Aim::Nothing | Aim::PermanentCenters | Aim::Moments => false,
                     }
@@ -87,6 +90,7 @@ impl Construction {
                     | Action::Center(_)
                     | Action::VelocityByCenters(_)
                     | Action::Lever(LeverStep::Effort(_))
+                    | Action::Curvature { step: CurvatureStep::Center, .. }
             );
             polygon = step.action.polygon();
             present = Some((step.sheet, group, was_reached || reached));
@@ -116,7 +120,8 @@ fn aim(steps: &[NumberedStep<'_>], last: Option<Aim>) -> Aim {
         Action::NoConstruction(_) | Action::CentersByRates(_) => Aim::Nothing,
         Action::PermanentCenters => Aim::PermanentCenters,
         Action::LeaveOut { .. } | Action::CenterLine { .. } | Action::Center(_) => Aim::Center,
-        Action::RateByCenters { .. } | Action::VelocityByCenters(_) => Aim::CenterVelocity,
+        Action::RateByCenters { .. } | Action::RateBySlide { .. } | Action::VelocityByCenters(_) => Aim::CenterVelocity,
+        Action::Curvature { .. } => Aim::Curvature,
         Action::Lever(_) => Aim::Lever,
         Action::Force(ForceStep::ByNumbers(_)) => Aim::Nothing,
         Action::Force(_) => {
@@ -212,7 +217,7 @@ impl Teller<'_> {
                 let is_told = |step: &&NumberedStep<'_>| !matches!(step.action, Action::Lever(LeverStep::Arm(..)));
                 steps.iter().filter(is_told).map(|step| self.caption(step)).collect()
             }
-            Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity | Aim::Moments => {
+            Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity | Aim::Curvature | Aim::Moments => {
                 steps.iter().map(|step| self.caption(step)).collect()
             }
         };

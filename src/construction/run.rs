@@ -240,7 +240,7 @@ impl<S: Drawable> Values<S> {
         }
     }
 
-    fn direction(&self, along: &Along, degrees: f64) -> Pair<S> {
+    pub(super) fn direction(&self, along: &Along, degrees: f64) -> Pair<S> {
         let mut direction = match along.reference {
             Reference::Line(LineId(line)) => self.lines[line].1,
             Reference::Angle { base, from, to } => {

@@ -2,6 +2,7 @@
 
 use super::constructed::{Construction, Extent};
 use super::cut::{Special, SpecialId, special_points};
+use super::kennedy::missing_of_centers;
 use super::leg::DrawnSpecial;
 use super::lever::levers;
 use super::markup::{no_construction, plain_text};
@@ -93,7 +94,11 @@ impl Solution {
         let found = [&self.mechanism.warnings, &self.pose.warnings, &self.motion.warnings];
         let words = Wording { language, ..Wording::default() };
         let without = self.construction.without().map(move |far| plain_text(&no_construction(&words, far)));
-        found.into_iter().flatten().map(|warning| language.says(warning)).chain(without)
+        let own = Wording { language, ..self.wording() };
+        let centers = self.construction.centers.as_deref();
+        let centers = centers.map(|centers| missing_of_centers(centers, &self.mechanism, &own)).unwrap_or_default();
+        let centers = centers.into_iter().map(|sentence| plain_text(&sentence));
+        found.into_iter().flatten().map(|warning| language.says(warning)).chain(without).chain(centers)
     }
 }
 
@@ -133,9 +138,9 @@ fn with_centers(
         CentersShown::Usual => all.into_iter().filter(|pair| pair.other(GROUND).is_some()).collect(),
         CentersShown::Named(names) => names.iter().filter_map(|name| LinkPair::named(name, mechanism)).collect(),
     };
-    let points: Vec<PointId> = figure.velocities.iter().filter_map(|name| mechanism.point(name)).collect();
+    let points = |names: &[String]| -> Vec<PointId> { names.iter().filter_map(|name| mechanism.point(name)).collect() };
     let mut writer = Writer::continued(mechanism, pose, motion, construction);
-    writer.centers(&wanted, &points);
+    writer.centers(&wanted, &points(&figure.velocities), &points(&figure.curvature));
     // On a scheme beside the centres nothing is drawn.
     let drawn: Vec<Sheet> = figure.shown_panels().into_iter().filter(|sheet| *sheet != Sheet::Scheme).collect();
     let needed = |sheet: &Sheet| drawn.iter().any(|drawn| drawn.with_those_needed().contains(sheet));

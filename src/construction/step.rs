@@ -1,7 +1,7 @@
 //! Steps at the board, and the plans that they draw.
 
 use super::cut::SpecialId;
-use super::kennedy::{CenterId, CenterLine, Centers, FigureOf};
+use super::kennedy::{CenterId, CenterLine, Centers, CurvatureStep, FigureOf};
 use super::lever::LeverStep;
 use super::polygon::ForceStep;
 use crate::centers::LinkPair;
@@ -113,8 +113,28 @@ pub enum Action {
         /// Names of the distances that are measured for it, and of the angular velocity.
         names: Vec<String>,
     },
+    /// Compute the angular velocity of a link from that of a driven slider, which the link has in this centre.
+    RateBySlide {
+        /// The link.
+        link: BodyId,
+        /// The centre.
+        at: LinkPair,
+        /// The slider.
+        slider: SliderId,
+        /// The angular velocity.
+        value: f64,
+        /// Names of the distance that is measured for it, and of the angular velocity.
+        names: Vec<String>,
+    },
     /// Lay off the velocity of a point, normal to its ray from the centre of its link: index among the velocities by centres.
     VelocityByCenters(usize),
+    /// Draw what leads to the centre of curvature of a path: index among the pole tangents, or among the centres of curvature.
+    Curvature {
+        /// The index.
+        index: usize,
+        /// What is drawn.
+        step: CurvatureStep,
+    },
     /// Something of the force plan.
     Force(ForceStep),
     /// Something of a lever.
@@ -166,7 +186,7 @@ impl NumberedStep<'_> {
             Action::LayOff(arrow) => vec![sheet.segment_name(&arrow.from, &arrow.to)],
             Action::Solve { unknowns, .. } => unknowns.iter().map(|u| u.0.clone()).collect(),
             Action::Center(id) => self.centers.map_or_else(Vec::new, |centers| centers.get(*id).quantities()),
-            Action::RateByCenters { names, .. } => names.clone(),
+            Action::RateByCenters { names, .. } | Action::RateBySlide { names, .. } => names.clone(),
             Action::VelocityByCenters(index) => {
                 let velocity = self.centers.and_then(|centers| centers.velocities.get(*index));
                 velocity.map_or_else(Vec::new, |velocity| velocity.names.clone())
@@ -175,6 +195,7 @@ impl NumberedStep<'_> {
             | Action::CenterLine { .. }
             | Action::LeaveOut { .. }
             | Action::CentersByRates(_)
+            | Action::Curvature { .. }
             | Action::Force(_)
             | Action::Lever(_) => Vec::new(),
             action => {

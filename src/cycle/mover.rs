@@ -100,7 +100,7 @@ impl<'a> Mover<'a> {
     /// The present position, with velocities and accelerations for the drives running as the scene says.
     #[must_use]
     pub fn position(&self) -> Position<'_> {
-        Position { mechanism: self.mechanism, kernel: &self.kernel, block: &self.block, lane: 0 }
+        Position::new(self.mechanism, &self.kernel, &self.block, 0)
     }
 
     /// Moves the drives to these values, all in proportion, and gives the position there as [`Self::position`] does.

@@ -306,7 +306,7 @@ impl<'a> Path<'a> {
 
     /// One position of a block.
     pub(super) fn position<'b, R: Row>(&'b self, block: &'b Block<R>, lane: usize) -> Position<'b, R> {
-        Position { mechanism: &self.mechanism, kernel: &self.kernel, block, lane }
+        Position::new(&self.mechanism, &self.kernel, block, lane)
     }
 
     /// The segment that holds a value of the drive, if it has been reached.

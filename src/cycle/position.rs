@@ -6,19 +6,26 @@ use crate::kernel::{Block, Kernel, Single, Unknown, vector};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::motion::{motion, standing_of};
 use crate::position::Pose;
-use crate::quantity::State;
+use crate::quantity::{KeptForces, State};
 use crate::sheet::Order;
 
 /// Squared Hadamard ratio of a group's equations below which a position is singular.
 const SINGULAR: f64 = 1e-18;
 
 /// One position of a block, from which quantities can be read.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Position<'a, R: Row = [f64; 1]> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) kernel: &'a Kernel,
     pub(super) block: &'a Block<R>,
-    pub(super) lane: usize,
+    lane: usize,
+    forces: KeptForces,
+}
+
+impl<'a, R: Row> Position<'a, R> {
+    pub(super) fn new(mechanism: &'a Mechanism, kernel: &'a Kernel, block: &'a Block<R>, lane: usize) -> Self {
+        Position { mechanism, kernel, block, lane, forces: KeptForces::default() }
+    }
 }
 
 impl<R: Row> Position<'_, R> {
@@ -60,6 +67,10 @@ impl<R: Row> Position<'_, R> {
 impl<R: Row> State for Position<'_, R> {
     fn has_accelerations(&self) -> bool {
         true
+    }
+
+    fn kept_forces(&self) -> Option<&KeptForces> {
+        Some(&self.forces)
     }
 
     fn place(&self, point: PointId) -> Point {

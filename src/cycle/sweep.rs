@@ -124,10 +124,10 @@ impl<'a> Sweep<'a> {
         if let Some(scene) = self.errors {
             return self.read_with_errors(scene, value, position, numbers);
         }
-        let built = position.filter(|_| self.constructs).and_then(|position| position.construction());
+        let built = position.as_ref().filter(|_| self.constructs).and_then(|position| position.construction());
         for asked in &self.columns {
             // What needs the construction has no value without it.
-            let found = position.and_then(|position| asked.value(&position, built.as_ref(), None).ok());
+            let found = position.as_ref().and_then(|position| asked.value(position, built.as_ref(), None).ok());
             push(asked, found, numbers);
         }
     }

@@ -292,12 +292,8 @@ impl<'a> Variants<'a> {
     /// The position of a mechanism, with its rates; `None` if it did not close at the values of its drives.
     #[must_use]
     pub fn position(&self, mechanism: usize) -> Option<Position<'_, Many>> {
-        self.closed[mechanism].then(|| Position {
-            mechanism: &self.mechanisms[mechanism],
-            kernel: &self.kernel,
-            block: &self.blocks[mechanism / MANY],
-            lane: mechanism % MANY,
-        })
+        let (block, lane) = (&self.blocks[mechanism / MANY], mechanism % MANY);
+        self.closed[mechanism].then(|| Position::new(&self.mechanisms[mechanism], &self.kernel, block, lane))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The panel of instant centres: the mechanism with Kennedy's lines, dashed; permanent centres as crosses, others as diamonds; far
 //! ones as arrows at the edge; velocities by centres; and the circle diagram in a free place.
 
+mod curvature;
 mod diagram;
 
 use super::canvas::Canvas;
@@ -12,7 +13,7 @@ use super::shape::Shape;
 use super::sheet::Pen;
 use super::text::RichText;
 use super::view::{Extent, View, on_sheet, together, towards};
-use crate::construction::{Action, Center, CenterId, CenterLine, CenterOrigin, Centers, FigureOf};
+use crate::construction::{Action, Center, CenterId, CenterLine, CenterOrigin, Centers, CurvatureStep, FigureOf};
 use crate::geometry::{self, Place, span};
 use crate::sheet::{QuantityKind, Sheet};
 use crate::words::{Medium, NumberStyle};
@@ -39,7 +40,10 @@ pub(super) fn extent(context: &SheetContext<'_>) -> Extent {
     let points = &context.solution.pose.points;
     let tips = centers.velocities.iter().map(|velocity| points[velocity.point.0] + velocity.arrow);
     let own = own.with_all(tips.map(|tip| Extent::of([tip])));
-    let mut near: Vec<geometry::Point> = places(centers).filter_map(|(_, place)| place.finite()).collect();
+    let crossings = centers.tangents.iter().map(|tangent| tangent.crossing);
+    let curved = centers.curvatures.iter().flat_map(|found| [found.crossing, found.center]);
+    let all = places(centers).map(|(_, place)| place).chain(crossings).chain(curved);
+    let mut near: Vec<geometry::Point> = all.filter_map(|place| place.finite()).collect();
     let size = |place: &geometry::Point| own.with(*place).size().norm();
     near.sort_by(|a, b| size(a).total_cmp(&size(b)));
     let most = REACH * own.size().norm();
@@ -58,13 +62,17 @@ fn places(centers: &Centers) -> impl Iterator<Item = (Option<CenterId>, Place)> 
 /// Draws the panel.
 pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
     let Some(centers) = context.construction().centers.as_deref() else { return };
-    let named = |point| centers.velocities.iter().any(|velocity| velocity.point == point);
+    let named = |point| {
+        let of_velocities = centers.velocities.iter().map(|velocity| velocity.point);
+        of_velocities.chain(centers.curvatures.iter().map(|found| found.point)).any(|named| named == point)
+    };
     scheme::draw_bare(canvas, view, context, named);
     let panel = CentersOnPaper { view, context, centers, steps: CenterSteps::of(context, centers) };
     panel.lines(canvas);
     panel.marks(canvas);
     panel.far(canvas);
     panel.guides(canvas);
+    panel.curvatures(canvas);
     panel.velocities(canvas);
     diagram::draw(&panel, canvas);
     canvas.step = 0;
@@ -92,6 +100,10 @@ struct CenterSteps {
     by_rates: u16,
     /// By velocity.
     velocities: Vec<u16>,
+    /// By pole tangent: of the collineation axis and of the tangent.
+    tangents: Vec<[u16; 2]>,
+    /// By centre of curvature: of the axis and of the centre.
+    curvatures: Vec<[u16; 2]>,
 }
 
 impl CenterSteps {
@@ -102,6 +114,8 @@ impl CenterSteps {
             lines: vec![[0; 2]; count],
             by_rates: 0,
             velocities: vec![0; centers.velocities.len()],
+            tangents: vec![[0; 2]; centers.tangents.len()],
+            curvatures: vec![[0; 2]; centers.curvatures.len()],
         };
         for step in context.construction().numbered_steps().filter(|step| step.sheet == Sheet::Centers) {
             let number = step.number as u16;
@@ -119,6 +133,12 @@ impl CenterSteps {
                 Action::Center(center) => steps.centers[center.0] = number,
                 Action::CentersByRates(_) => steps.by_rates = number,
                 Action::VelocityByCenters(index) => steps.velocities[*index] = number,
+                Action::Curvature { index, step } => match step {
+                    CurvatureStep::Axis => steps.tangents[*index][0] = number,
+                    CurvatureStep::Tangent => steps.tangents[*index][1] = number,
+                    CurvatureStep::OwnAxis => steps.curvatures[*index][0] = number,
+                    CurvatureStep::Center => steps.curvatures[*index][1] = number,
+                },
                 _ => {}
             }
         }
@@ -135,8 +155,15 @@ struct CentersOnPaper<'a> {
 }
 
 impl CentersOnPaper<'_> {
+    /// The symbol of a centre.
     fn symbol(&self, center: &Center) -> String {
-        self.context.teller().center_symbol(center.pair, center.figure)
+        self.context.center_symbol(center.pair, center.figure)
+    }
+
+    /// The symbol of a centre, with that of the special point that it is: `P_{20} = S_{2}`.
+    fn named(&self, center: &Center) -> String {
+        let own = self.symbol(center);
+        self.special_at(center).map_or_else(|| own.clone(), |special| format!("{own} = {special}"))
     }
 
     /// Where a centre stands on the panel; none of one that is at infinity or off the panel.
@@ -190,24 +217,19 @@ impl CentersOnPaper<'_> {
 
     /// The marks and names of the centres on the panel; those in one place share a label.
     fn marks(&self, canvas: &mut Canvas<'_>) {
-        let teller = self.context.teller();
         let mut all: Vec<(Point, (String, String, u16))> = Vec::new();
         for (index, center) in self.centers.all.iter().enumerate() {
             let Some(at) = self.shown(canvas, center.place) else { continue };
             canvas.step = self.steps.centers[index];
             mark(canvas, &center.name, at, center.is_permanent());
-            let mut symbol = self.symbol(center);
-            if let Some(special) = self.special_at(center) {
-                symbol = format!("{symbol} = {special}");
-            }
-            all.push((at, (center.name.clone(), symbol, canvas.step)));
+            all.push((at, (center.name.clone(), self.named(center), canvas.step)));
         }
         for (pair, place) in &self.centers.by_rates {
             let Some(at) = place.and_then(|place| self.shown(canvas, place)) else { continue };
             canvas.step = self.steps.by_rates;
             let name = pair.name(self.context.mechanism());
             mark(canvas, &name, at, false);
-            all.push((at, (name, teller.center_symbol(*pair, FigureOf::Mechanism), canvas.step)));
+            all.push((at, (name, self.context.center_symbol(*pair, FigureOf::Mechanism), canvas.step)));
         }
         let middle = self.view.at(self.context.facts.middle);
         for (at, here) in together(all.into_iter(), SHARED) {
@@ -232,13 +254,12 @@ impl CentersOnPaper<'_> {
     fn special_at(&self, center: &Center) -> Option<String> {
         let place = center.place.finite().filter(|_| center.figure == FigureOf::Mechanism && !center.is_permanent())?;
         let near = 1e-9 * span(self.context.solution.pose.points.iter().copied());
-        let special =
-            self.context.construction().special.iter().filter(|special| special.is_assur).find(|special| {
-                let bases = special.cuts.each_ref().map(|cut| cut.leg.base);
-                let is_its = bases[0] == bases[1] && center.pair.other(special.link) == Some(bases[0]);
-                is_its && special.place.finite().is_some_and(|own| (own - place).norm() <= near)
-            })?;
-        Some(self.context.facts.markup(&special.name))
+        let special = self.context.special().find(|special| {
+            let bases = special.cuts.each_ref().map(|cut| cut.leg.base);
+            let is_its = bases[0] == bases[1] && center.pair.other(special.link) == Some(bases[0]);
+            is_its && special.place.finite().is_some_and(|own| (own - place).norm() <= near)
+        })?;
+        Some(self.context.told(&special.name, None))
     }
 
     /// Arrows at the edge towards the centres off the panel, with their distances.
@@ -249,7 +270,7 @@ impl CentersOnPaper<'_> {
             }
             let Some((line, edge, along)) = self.way_to(canvas, center) else { continue };
             canvas.step = self.steps.centers[index];
-            let symbol = self.symbol(center);
+            let symbol = self.named(center);
             let start =
                 line.through.iter().map(|id| self.centers.get(*id)).find(|center| center.place.finite().is_some());
             let words = match (center.place, start.and_then(|start| Some((start, start.place.finite()?)))) {
@@ -294,7 +315,10 @@ impl CentersOnPaper<'_> {
     fn arrow(&self, canvas: &mut Canvas<'_>, name: &str, [tail, tip]: [Point; 2], (words, symbol): (&str, &str)) {
         canvas.draw_named(&format!("center-{name}"), Pen::Special, canvas.arrow(tail, tip));
         let request = LabelRequest::new(RichText::plain(words), tail, 1.0, None, 3);
-        canvas.ask(name, request).short = Some(RichText::math(symbol));
+        let asked = canvas.ask(name, request);
+        // Far from its arrow the distance would say nothing.
+        asked.short = Some(RichText::math(symbol));
+        asked.request.may_stand_apart = false;
     }
 
     /// Arrows at the blocks towards the permanent centres at infinity.
@@ -331,7 +355,7 @@ impl CentersOnPaper<'_> {
             }
             canvas.draw_named(&format!("velocity-{name}"), Pen::Velocity, canvas.arrow(at, tip));
             let value = self.context.words.write(velocity.velocity.norm(), VALUE);
-            let symbol = RichText::math(&format!("v_{{{name}}}"));
+            let symbol = RichText::math(&format!("v_{{{}}}", self.context.told(name, None)));
             let value = format!("= {value} {}", QuantityKind::Velocity.unit(units));
             let text = symbol.clone().followed_by(&RichText::plain(&value));
             let request = LabelRequest::new(text, at.lerp(tip, 0.75), 1.0, None, 2);

@@ -6,7 +6,8 @@ use super::facts::Facts;
 use super::held_layout::Pane;
 use super::text::RichText;
 use super::view::Series;
-use crate::construction::{Construction, Plan, PlanVector, Solution, Special, Teller, VectorPart};
+use crate::centers::{LinkPair, link_in_index};
+use crate::construction::{Construction, FigureOf, Plan, PlanVector, Solution, Special, Teller, VectorPart};
 use crate::cycle::{OtherModes, Traces};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId};
 use crate::quantity::QuantityKind;
@@ -204,6 +205,22 @@ impl<'a> SheetContext<'a> {
             Some(plan) => plan.shown(name, written, &self.words.notation),
             None => written,
         }
+    }
+
+    /// The symbol of the centre of two links, in markup.
+    pub(super) fn center_symbol(&self, pair: LinkPair, figure: FigureOf) -> String {
+        pair.symbol(figure.primes(), self.mechanism(), &self.words.notation, &|name| self.told(name, None))
+    }
+
+    /// The symbols of a link's instant centre with the frame and of its inflection pole, in markup.
+    pub(super) fn ends_of_inflection_circle(&self, link: BodyId) -> [String; 2] {
+        let center = LinkPair::new(link, GROUND).map(|pair| self.center_symbol(pair, FigureOf::Mechanism));
+        [center.unwrap_or_default(), format!("W_{{{}}}", self.link_in_index(link))]
+    }
+
+    /// A link in the index of such a symbol.
+    pub(super) fn link_in_index(&self, link: BodyId) -> String {
+        link_in_index(link, self.mechanism(), &self.words.notation, &|name| self.told(name, None))
     }
 
     /// Number of a link, by which a style picks its colour; none for the ground and for blocks without name.

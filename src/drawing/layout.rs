@@ -57,11 +57,20 @@ pub(super) struct Needs {
     pub is_part: bool,
 }
 
+/// How much the size of the figure of centres counts beside that of another panel.
+const OF_CENTERS: f64 = 2.0;
+
 impl Needs {
     /// Those of a panel with the usual white, at a scale that fits.
     pub(super) fn usual(sheet: Sheet, extent: Extent, heading: f64) -> Needs {
         let white = WHITE[usize::from(sheet.order().is_none())];
-        Needs { sheet, extent, heading, scale: 0.0, above: 0.0, rows: 0, mu: None, white, weight: 1.0, is_part: false }
+        let weight = Needs::weight_of(sheet);
+        Needs { sheet, extent, heading, scale: 0.0, above: 0.0, rows: 0, mu: None, white, weight, is_part: false }
+    }
+
+    /// How much the size of a sheet's content counts beside that of others: the figure of centres shows what the scheme shows, with lines and names among it.
+    pub(super) fn weight_of(sheet: Sheet) -> f64 {
+        if sheet == Sheet::Centers { OF_CENTERS } else { 1.0 }
     }
 
     /// These at scales with steps, of which most leave more white than labels need.

@@ -300,7 +300,11 @@ pub(super) fn panels<'a>(
         let needs = Needs {
             above: if sheet.order().is_none() { scheme::above(context) } else { 0.0 },
             mu: context.surface.mu[sheet],
-            weight: if context.figure().focus.is_some_and(|focus| focus != sheet) { COMPANION } else { 1.0 },
+            weight: if context.figure().focus.is_some_and(|focus| focus != sheet) {
+                COMPANION
+            } else {
+                Needs::weight_of(sheet)
+            },
             // The width of the first panel's heading: it must not depend on the panel's letter.
             ..frame(0).needs(context, sheet, extent)
         };

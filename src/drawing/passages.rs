@@ -28,9 +28,12 @@ impl Writer<'_> {
             Aim::Lever => {
                 steps.iter().filter(|step| matches!(step.action, Action::Lever(LeverStep::Effort(_)))).collect()
             }
-            Aim::Images | Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity | Aim::Moments => {
-                steps.iter().collect()
-            }
+            Aim::Images
+            | Aim::Nothing
+            | Aim::PermanentCenters
+            | Aim::CenterVelocity
+            | Aim::Curvature
+            | Aim::Moments => steps.iter().collect(),
         };
         match with_details.as_slice() {
             [step] => self.details(step),

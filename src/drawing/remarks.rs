@@ -3,7 +3,10 @@
 use super::context::SheetContext;
 use super::lines::Lines;
 use super::view::Series;
+use crate::construction::FigureOf;
+use crate::construction::kennedy::missing_of_centers;
 use crate::cycle::{Centrode, Times};
+use crate::geometry::Place;
 use crate::text::Untrusted;
 use crate::words::{Medium, NumberStyle};
 
@@ -32,9 +35,30 @@ pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f
     let sentence = is_said.then(|| {
         std::iter::once(sentence).filter(|said| !said.is_empty()).chain(printed).collect::<Vec<_>>().join(" ")
     });
-    let sentences: Vec<String> = sentence_on_paths(context).into_iter().chain(sentence).collect();
+    let paths = sentence_on_paths(context).into_iter();
+    let sentences: Vec<String> = paths.chain(on_centers(context)).chain(sentence).collect();
     let together = (!sentences.is_empty()).then(|| sentences.join(" "));
     Lines { step, ..Lines::of(&together, context.surface.dims.width_below() - beside) }
+}
+
+/// The sentences on instant centres that were asked for and do not stand on their panel, in markup.
+fn on_centers(context: &SheetContext<'_>) -> Vec<String> {
+    let Some(centers) = context.construction().centers.as_deref() else { return Vec::new() };
+    let far = centers.by_rates.iter().filter(|(_, place)| matches!(place, Some(Place::AtInfinity(_))));
+    let far = far.map(|(pair, _)| context.center_symbol(*pair, FigureOf::Mechanism));
+    let far = far.map(|symbol| format!("{}.", context.words.language.at_infinity(&symbol)));
+    let curved = centers.curvatures.iter().map(|found| {
+        let point = context.told(context.mechanism().point_name(found.point), None);
+        let unit = context.solution.scene.units.length.as_str();
+        match found.radius {
+            Some(radius) => {
+                let radius = format!("{} {unit}", context.words.write(radius, DIAMETER));
+                context.words.language.radius_of_curvature(&point, &radius)
+            }
+            None => context.words.language.no_radius_of_curvature(&point),
+        }
+    });
+    far.chain(curved).chain(missing_of_centers(centers, context.mechanism(), &context.words)).collect()
 }
 
 /// The sentence on paths alone, which holds for all positions.
@@ -103,10 +127,11 @@ fn inflection(context: &SheetContext<'_>) -> impl Iterator<Item = String> {
     context.figure().inflection.iter().map(move |name| {
         let link = context.shown(name, None);
         match solution.inflection_circle(name) {
-            Some((_, [pole, inflection])) => {
+            Some((id, [pole, inflection])) => {
                 let unit = solution.scene.units.length.as_str();
                 let diameter = context.words.write((inflection - pole).norm(), DIAMETER);
-                language.inflection_circle(&link, &format!("{diameter} {unit}"))
+                let [center, pole] = context.ends_of_inflection_circle(id);
+                language.inflection_circle(&link, &format!("{diameter} {unit}"), &center, &pole)
             }
             None => language.no_inflection_circle(&link),
         }

@@ -90,7 +90,7 @@ fn forget(document: &mut Document<'_>, names: &Names, name: &str) -> Result<(), 
     for table in ["near", "points", "known"] {
         document.remove(&[table, name])?;
     }
-    for list in ["trace", "velocities"] {
+    for list in ["trace", "velocities", "curvature"] {
         remove_entries(document, &["figure", list], &|point| *point == *name)?;
     }
     remove_named(document, names, Named::Point, name)
@@ -175,7 +175,7 @@ fn remove_named(document: &mut Document<'_>, names: &Names, what: Named, name: &
     for (quantity, _) in asked.filter(|(quantity, _)| renamer.quantity(quantity).is_some()) {
         document.remove(&["form", quantity])?;
     }
-    remove_entries(document, &["want"], &|quantity| {
-        quantity.as_str().is_some_and(|name| renamer.quantity(name).is_some())
-    })
+    let is_gone = |quantity: &Json| quantity.as_str().is_some_and(|name| renamer.quantity(name).is_some());
+    remove_entries(document, &["figure", "centers"], &is_gone)?;
+    remove_entries(document, &["want"], &is_gone)
 }

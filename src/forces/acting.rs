@@ -1,9 +1,10 @@
 //! What acts on the links besides their joints: weights, inertia, given forces and couples, springs.
 
-use super::Posed;
-use crate::geometry::{Ball, Number, Pair, degrees_of};
+use super::{Counted, Posed};
+use crate::geometry::{Ball, Pair, Solvable, degrees_of};
 use crate::mechanism::{BodyId, GROUND, Mechanism};
 use crate::scene::{Amount, Analysis, Gauge, GivenBy, LinkPlace, Load, Loads, Mass, On, Spring, SpringEnd, Units};
+use std::marker::PhantomData;
 
 /// Where a load comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,39 +22,44 @@ pub enum Source {
 
 /// A load on a body.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Acting {
+pub(crate) struct Acting<N = Ball> {
     pub source: Source,
     pub body: BodyId,
     /// The place where the force acts.
-    pub at: Pair<Ball>,
-    pub force: Pair<Ball>,
+    pub at: Pair<N>,
+    pub force: Pair<N>,
     /// A couple beside it, counter-clockwise positive.
-    pub couple: Ball,
+    pub couple: N,
 }
 
 /// A force and its moment about a body's reference place.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Wrench {
-    pub force: Pair<Ball>,
-    pub moment: Ball,
+pub(crate) struct Wrench<N = Ball> {
+    pub force: Pair<N>,
+    pub moment: N,
 }
 
-impl Wrench {
-    pub(super) fn add(&mut self, other: Wrench) {
+impl<N: Solvable> Wrench<N> {
+    pub(super) fn add(&mut self, other: Wrench<N>) {
         self.force = self.force + other.force;
         self.moment = self.moment + other.moment;
     }
 
-    pub(super) fn times(self, factor: Ball) -> Wrench {
+    pub(super) fn times(self, factor: N) -> Wrench<N> {
         Wrench { force: self.force * factor, moment: self.moment * factor }
     }
 }
 
 /// All loads on bodies whose equilibrium counts, the frame among them for what springs do to it. `None` where a load changes over an
 /// angle or a position that there is not.
-pub(super) fn acting(loads: &Loads, units: Units, mechanism: &Mechanism, posed: &impl Posed) -> Option<Vec<Acting>> {
-    let here = Here { mechanism, posed };
-    let factor = units.force_of_mass_times_acceleration();
+pub(super) fn acting<N: Counted>(
+    loads: &Loads,
+    units: Units,
+    mechanism: &Mechanism,
+    posed: &impl Posed<N>,
+) -> Option<Vec<Acting<N>>> {
+    let here = Here { mechanism, posed, numbers: PhantomData };
+    let factor = N::of_ball(units.force_of_mass_times_acceleration());
     let gravity = Pair { x: posed.given(loads.gravity[0]), y: posed.given(loads.gravity[1]) };
     let mut all = Vec::new();
     for (link, mass) in &loads.masses {
@@ -68,21 +74,22 @@ pub(super) fn acting(loads: &Loads, units: Units, mechanism: &Mechanism, posed: 
     Some(all)
 }
 
-struct Here<'a, P> {
+struct Here<'a, P, N> {
     mechanism: &'a Mechanism,
     posed: &'a P,
+    numbers: PhantomData<N>,
 }
 
-impl<P: Posed> Here<'_, P> {
+impl<N: Counted, P: Posed<N>> Here<'_, P, N> {
     /// The weight and the inertia of a link.
     fn masses(
         &self,
         body: BodyId,
         mass: &Mass,
-        factor: Ball,
-        gravity: Pair<Ball>,
+        factor: N,
+        gravity: Pair<N>,
         analysis: Analysis,
-        all: &mut Vec<Acting>,
+        all: &mut Vec<Acting<N>>,
     ) {
         let center = self.place(body, &mass.center);
         // In units of force per unit of acceleration.
@@ -90,7 +97,7 @@ impl<P: Posed> Here<'_, P> {
             Amount::Mass(amount) => factor * self.posed.given(amount),
             Amount::Weight(weight) => self.posed.given(weight) / gravity.dot(gravity).sqrt(),
         };
-        let none = Ball::default();
+        let none = N::default();
         if gravity != Pair::default() {
             let force = gravity * amount;
             all.push(Acting { source: Source::Weight, body, at: center, force, couple: none });
@@ -102,9 +109,10 @@ impl<P: Posed> Here<'_, P> {
         }
     }
 
-    fn given(&self, index: usize, load: &Load) -> Option<Acting> {
+    fn given(&self, index: usize, load: &Load) -> Option<Acting<N>> {
         let body = self.mechanism.link(&load.on)?;
-        let times = load.over.as_ref().map_or(Some(1.0.into()), |over| Some(over.at(self.gauged(&over.of)?)))?;
+        let times =
+            load.over.as_ref().map_or(Some(1.0.into()), |over| Some(N::of_ball(over.at(self.gauged(&over.of)?))))?;
         let [x, y] = load.force.map(|x| self.posed.given(x));
         let force = Pair { x, y } * times;
         let force = if load.turns { self.posed.axis(body).unwrap_or_default().turn(force) } else { force };
@@ -117,15 +125,16 @@ impl<P: Posed> Here<'_, P> {
         match gauge {
             Gauge::Angle(link) => {
                 let axis = self.posed.axis(self.mechanism.link(link)?)?;
+                let axis = Pair { x: axis.x.ball(), y: axis.y.ball() };
                 let degrees = degrees_of(axis.rounded());
                 Some(Ball::from(degrees).widened(axis.degrees_from(degrees)))
             }
-            Gauge::Position(slider) => self.posed.slide_position(self.mechanism.slider_named(slider)?),
+            Gauge::Position(slider) => Some(self.posed.slide_position(self.mechanism.slider_named(slider)?)?.ball()),
         }
     }
 
     /// What a spring does to both its ends.
-    fn spring(&self, index: usize, spring: &Spring) -> Vec<Acting> {
+    fn spring(&self, index: usize, spring: &Spring) -> Vec<Acting<N>> {
         let end = |end: &SpringEnd| match &end.on {
             On::Ground => Some((GROUND, self.place(GROUND, &end.at))),
             On::Link(link) => self.mechanism.link(link).map(|body| (body, self.place(body, &end.at))),
@@ -136,24 +145,24 @@ impl<P: Posed> Here<'_, P> {
         let arm = to - from;
         let length = arm.dot(arm).sqrt();
         let pull = self.posed.given(spring.rate) * (length - self.posed.given(spring.length));
-        let force = if self.posed.given(spring.length) == Ball::default() {
+        let force = if self.posed.given(spring.length) == N::default() {
             // Without a length of its own it has a force even where its ends meet.
             arm * self.posed.given(spring.rate)
         } else {
             arm * (pull / length)
         };
-        let on = |body, at, force| Acting { source: Source::Spring(index), body, at, force, couple: Ball::default() };
+        let on = |body, at, force| Acting { source: Source::Spring(index), body, at, force, couple: N::default() };
         vec![on(first, from, force), on(second, to, -force)]
     }
 
     /// A place of a body in the fixed frame.
-    fn place(&self, body: BodyId, at: &LinkPlace) -> Pair<Ball> {
+    fn place(&self, body: BodyId, at: &LinkPlace) -> Pair<N> {
         let local = match at {
             LinkPlace::Point(name) => {
                 return self.mechanism.point(name).map_or_else(Pair::default, |point| self.posed.place(point));
             }
             LinkPlace::Place(place) => place.map(|x| self.posed.given(x)),
-            LinkPlace::Distance(distance) => [self.posed.given(*distance), Ball::default()],
+            LinkPlace::Distance(distance) => [self.posed.given(*distance), N::default()],
         };
         let local = Pair { x: local[0], y: local[1] };
         if body == GROUND || self.mechanism.given_by == GivenBy::Drawing {
@@ -170,6 +179,6 @@ impl<P: Posed> Here<'_, P> {
 }
 
 /// The place about which the moments of a body are taken: its first point.
-pub(super) fn about(mechanism: &Mechanism, posed: &impl Posed, body: BodyId) -> Pair<Ball> {
+pub(super) fn about<N: Counted>(mechanism: &Mechanism, posed: &impl Posed<N>, body: BodyId) -> Pair<N> {
     mechanism.body(body).points.first().map_or_else(Pair::default, |&point| posed.place(point))
 }

@@ -1,14 +1,14 @@
 //! Forces in joints and drives, and what is read from them.
 
 use super::acting::{Acting, Source, Wrench};
-use crate::geometry::{Ball, Pair};
+use crate::geometry::{Ball, Pair, Solvable};
 use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
 
 /// What a joint carries: the force on its second body at the joint's place, and a couple. A slider's second body is the sliding link.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Carried {
-    pub force: Pair<Ball>,
-    pub couple: Ball,
+pub(crate) struct Carried<N = Ball> {
+    pub force: Pair<N>,
+    pub couple: N,
 }
 
 /// What a drive needs.
@@ -37,23 +37,23 @@ pub struct Agreement {
 
 /// The forces in the joints and drives of a mechanism, in the scene's unit of force; moments in force · length.
 #[derive(Clone, Debug)]
-pub struct Forces {
-    pub(crate) acting: Vec<Acting>,
+pub struct Forces<N = Ball> {
+    pub(crate) acting: Vec<Acting<N>>,
     /// By joint.
-    pub(crate) joints: Vec<Carried>,
+    pub(crate) joints: Vec<Carried<N>>,
     /// By body: the torque of its drive; zero of others.
-    pub(crate) torques: Vec<Ball>,
+    pub(crate) torques: Vec<N>,
     /// What links and springs do to the frame, about its first point.
-    pub(crate) frame: Wrench,
+    pub(crate) frame: Wrench<N>,
     /// What each drive needs, by both routes: links first, then sliders.
     pub drives: Vec<Drive>,
 }
 
-impl Forces {
+impl<N: Solvable> Forces<N> {
     /// The force on a body at a pin, from all other bodies there; `None` where the body has no joint with that pin.
     ///
     /// What a carrier of given motion receives is not known to be in equilibrium with anything: it is the reaction alone.
-    pub(crate) fn at_pin(&self, mechanism: &Mechanism, pin: PointId, body: BodyId) -> Option<Pair<Ball>> {
+    pub(crate) fn at_pin(&self, mechanism: &Mechanism, pin: PointId, body: BodyId) -> Option<Pair<N>> {
         let mut sum = None;
         for (joint, carried) in mechanism.joints.iter().zip(&self.joints).filter(|(joint, _)| joint.pin == Some(pin)) {
             let force = match joint.bodies {
@@ -66,31 +66,33 @@ impl Forces {
         sum
     }
 
-    fn slider(&self, mechanism: &Mechanism, slider: SliderId) -> &Carried {
+    fn slider(&self, mechanism: &Mechanism, slider: SliderId) -> &Carried<N> {
         let JointId(joint) = mechanism.slider_joint(slider);
         &self.joints[joint]
     }
 
     /// The force on a sliding link across its guide, along the guide's direction turned by +90°; `guide` is that direction.
-    pub(crate) fn normal(&self, mechanism: &Mechanism, slider: SliderId, guide: Pair<Ball>) -> Ball {
+    pub(crate) fn normal(&self, mechanism: &Mechanism, slider: SliderId, guide: Pair<N>) -> N {
         self.slider(mechanism, slider).force.dot(guide.quarter_turn())
     }
 
     /// The couple on a sliding link from its guide, about the slider's point.
-    pub(crate) fn couple(&self, mechanism: &Mechanism, slider: SliderId) -> Ball {
+    pub(crate) fn couple(&self, mechanism: &Mechanism, slider: SliderId) -> N {
         self.slider(mechanism, slider).couple
     }
 
     /// The torque of a link's drive.
-    pub(crate) fn torque(&self, link: BodyId) -> Ball {
+    pub(crate) fn torque(&self, link: BodyId) -> N {
         self.torques[link.0]
     }
 
     /// The force of a slider's drive along the guide, whose direction is `guide`.
-    pub(crate) fn push(&self, mechanism: &Mechanism, slider: SliderId, guide: Pair<Ball>) -> Ball {
+    pub(crate) fn push(&self, mechanism: &Mechanism, slider: SliderId, guide: Pair<N>) -> N {
         self.slider(mechanism, slider).force.dot(guide)
     }
+}
 
+impl Forces {
     /// The load of a kind on a body.
     pub(crate) fn load(&self, source: Source, body: BodyId) -> Option<&Acting> {
         self.acting.iter().find(|load| load.source == source && load.body == body)

@@ -1,31 +1,35 @@
 //! Equilibrium of every link, group by group from the last one to the first, then of the driven links.
 
-use super::Posed;
 use super::acting::{Acting, Wrench, about};
 use super::carried::{Carried, Forces};
-use crate::geometry::{Ball, Equations, Pair};
+use super::{Counted, Posed};
+use crate::geometry::{Equations, Pair};
 use crate::mechanism::{BodyId, GROUND, JointId, Mechanism, Role};
 use smallvec::{SmallVec, smallvec};
 
 /// What an unknown of the equations is.
 #[derive(Clone, Copy, Debug)]
-enum Unknown {
+enum Unknown<N> {
     /// A part of what a joint carries: a force on its second body at the joint's place, or a couple.
-    Joint(JointId, Part),
+    Joint(JointId, Part<N>),
     /// The torque of a drive.
     Torque(BodyId),
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Part {
+enum Part<N> {
     /// In this direction.
-    Force(Pair<Ball>),
+    Force(Pair<N>),
     /// By the relation of angles that the joint keeps.
     Couple,
 }
 
 /// What the joints carry, so that all links are in equilibrium; `None` where a group leaves it open.
-pub(super) fn carried(mechanism: &Mechanism, posed: &impl Posed, acting: Vec<Acting>) -> Option<Forces> {
+pub(super) fn carried<N: Counted>(
+    mechanism: &Mechanism,
+    posed: &impl Posed<N>,
+    acting: Vec<Acting<N>>,
+) -> Option<Forces<N>> {
     let mut balance = Balance {
         mechanism,
         posed,
@@ -35,7 +39,7 @@ pub(super) fn carried(mechanism: &Mechanism, posed: &impl Posed, acting: Vec<Act
             drives: Vec::new(),
             acting: Vec::new(),
             joints: vec![Carried::default(); mechanism.joints.len()],
-            torques: vec![Ball::default(); mechanism.bodies.len()],
+            torques: vec![N::default(); mechanism.bodies.len()],
             frame: Wrench::default(),
         },
     };
@@ -90,20 +94,20 @@ pub(crate) fn own_joint(mechanism: &Mechanism, body: BodyId) -> Option<JointId> 
     }
 }
 
-struct Balance<'a, P> {
+struct Balance<'a, P, N> {
     mechanism: &'a Mechanism,
     posed: &'a P,
     /// By body: the place about which its moments are taken.
-    about: Vec<Pair<Ball>>,
+    about: Vec<Pair<N>>,
     /// By body: its loads, and what later groups hand on to it.
-    loads: Vec<Wrench>,
-    found: Forces,
+    loads: Vec<Wrench<N>>,
+    found: Forces<N>,
 }
 
-impl<P: Posed> Balance<'_, P> {
+impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
     /// Finds what these joints carry from the equilibrium of these bodies, and hands it on to the bodies on which they hang.
     fn solve(&mut self, bodies: &[BodyId], joints: &[JointId]) -> Option<()> {
-        let mut unknowns: Vec<Unknown> = joints.iter().flat_map(|&joint| self.parts(joint)).collect();
+        let mut unknowns: Vec<Unknown<N>> = joints.iter().flat_map(|&joint| self.parts(joint)).collect();
         let is_turned = |body: &&BodyId| matches!(self.mechanism.body(**body).role, Role::Driver { .. });
         unknowns.extend(bodies.iter().filter(is_turned).map(|&body| Unknown::Torque(body)));
         let size = 3 * bodies.len();
@@ -146,11 +150,11 @@ impl<P: Posed> Balance<'_, P> {
     }
 
     /// The unknowns of a joint: one for each freedom that it takes away, with the force of its drive.
-    fn parts(&self, id: JointId) -> SmallVec<[Unknown; 3]> {
+    fn parts(&self, id: JointId) -> SmallVec<[Unknown<N>; 3]> {
         let joint = self.mechanism.joint(id);
-        let mut parts: SmallVec<[Part; 3]> = SmallVec::new();
+        let mut parts: SmallVec<[Part<N>; 3]> = SmallVec::new();
         if joint.pin.is_some() {
-            let [one, none] = [1.0, 0.0].map(Ball::from);
+            let [one, none] = [1.0, 0.0].map(N::from);
             parts.push(Part::Force(Pair { x: one, y: none }));
             parts.push(Part::Force(Pair { x: none, y: one }));
         }
@@ -168,7 +172,7 @@ impl<P: Posed> Balance<'_, P> {
     }
 
     /// What an unknown of size 1 does to which bodies.
-    fn acts(&self, unknown: Unknown) -> SmallVec<[(BodyId, Wrench); 3]> {
+    fn acts(&self, unknown: Unknown<N>) -> SmallVec<[(BodyId, Wrench<N>); 3]> {
         let couple = |weight: f64| Wrench { force: Pair::default(), moment: weight.into() };
         match unknown {
             Unknown::Torque(body) => smallvec![(body, couple(1.0)), (GROUND, couple(-1.0))],
@@ -180,7 +184,7 @@ impl<P: Posed> Balance<'_, P> {
             Unknown::Joint(joint, Part::Force(along)) => {
                 let at = self.posed.place(self.mechanism.joint_point(joint));
                 let [first, second] = self.mechanism.joint(joint).bodies;
-                let on = |body: BodyId, force: Pair<Ball>| {
+                let on = |body: BodyId, force: Pair<N>| {
                     (body, Wrench { force, moment: (at - self.about[body.0]).cross(force) })
                 };
                 smallvec![on(first, -along), on(second, along)]

@@ -21,7 +21,8 @@
 //! # Bounds
 //!
 //! All numbers are [`Ball`]s, and the same code runs at a pose and within an enclosure of the true position and
-//! motion (`accuracy/`): a stated error is the distance of the one from the other.
+//! motion (`accuracy/`): a stated error is the distance of the one from the other. It runs in f64, too, for one of many positions
+//! ([`Counted`]): without bounds that takes a twentieth of the time.
 
 mod acting;
 mod carried;
@@ -34,36 +35,70 @@ pub(crate) use equilibrium::{driven, own_joint};
 pub use power::Driven;
 pub(crate) use power::lever_states;
 
-use crate::geometry::{Ball, Pair};
+use crate::geometry::{Ball, Pair, Solvable};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use crate::motion::{Places, State, bounded_motion};
 use crate::position::Pose;
 use crate::sheet::Order;
 
 /// Where bodies are and how they move, for their forces.
-pub(crate) trait Posed: Places {
+pub(crate) trait Posed<N> {
+    /// The place of a point in the fixed frame.
+    fn place(&self, point: PointId) -> Pair<N>;
+    /// The unit direction of a slider's guide.
+    fn guide(&self, slider: SliderId) -> Pair<N>;
+    /// A number of the scene.
+    fn given(&self, number: f64) -> N;
     /// The unit vector along a link's axis: where lengths are given, the x axis of its own frame. `None` of a body without an axis.
-    fn axis(&self, body: BodyId) -> Option<Pair<Ball>>;
+    fn axis(&self, body: BodyId) -> Option<Pair<N>>;
     /// The position of a slider along its guide; `None` where it counts from no point.
-    fn slide_position(&self, slider: SliderId) -> Option<Ball>;
+    fn slide_position(&self, slider: SliderId) -> Option<N>;
     /// A point in the frame of its body.
-    fn local(&self, body: BodyId, point: PointId) -> Pair<Ball>;
+    fn local(&self, body: BodyId, point: PointId) -> Pair<N>;
     /// The acceleration of the body's point at a place.
-    fn acceleration(&self, body: BodyId, place: Pair<Ball>) -> Pair<Ball>;
+    fn acceleration(&self, body: BodyId, place: Pair<N>) -> Pair<N>;
     /// The angular acceleration of a body.
-    fn alpha(&self, body: BodyId) -> Ball;
+    fn alpha(&self, body: BodyId) -> N;
+}
+
+/// The numbers that forces are computed in.
+pub(crate) trait Counted: Solvable {
+    /// The number that a ball stands for.
+    fn of_ball(ball: Ball) -> Self;
+    /// The ball that stands for it.
+    fn ball(self) -> Ball;
+}
+
+impl Counted for Ball {
+    fn of_ball(ball: Ball) -> Ball {
+        ball
+    }
+
+    fn ball(self) -> Ball {
+        self
+    }
+}
+
+impl Counted for f64 {
+    fn of_ball(ball: Ball) -> f64 {
+        ball.high
+    }
+
+    fn ball(self) -> Ball {
+        self.into()
+    }
 }
 
 /// The forces in a mechanism, with the drives' torques by both routes; `None` without loads, and where the equations of a group leave a
 /// number open, as they do in a singular position and beyond the range of f64.
-pub(crate) fn forces(mechanism: &Mechanism, posed: &impl Posed) -> Option<Forces> {
+pub(crate) fn forces(mechanism: &Mechanism, posed: &(impl Posed<Ball> + Places)) -> Option<Forces> {
     let forces = in_equilibrium(mechanism, posed)?;
     let drives = power::drives(mechanism, posed, &forces)?;
     Some(Forces { drives, ..forces })
 }
 
 /// The same from the equilibrium of the links alone, for one of many positions: its [`Forces::drives`] are empty.
-pub(crate) fn in_equilibrium(mechanism: &Mechanism, posed: &impl Posed) -> Option<Forces> {
+pub(crate) fn in_equilibrium<N: Counted>(mechanism: &Mechanism, posed: &impl Posed<N>) -> Option<Forces<N>> {
     let (loads, units) = &**mechanism.loads.as_ref()?;
     let acting = acting::acting(loads, *units, mechanism, posed)?;
     equilibrium::carried(mechanism, posed, acting)
@@ -104,7 +139,19 @@ impl Places for AtPose<'_> {
     }
 }
 
-impl Posed for AtPose<'_> {
+impl Posed<Ball> for AtPose<'_> {
+    fn place(&self, point: PointId) -> Pair<Ball> {
+        self.pose.place(point)
+    }
+
+    fn guide(&self, slider: SliderId) -> Pair<Ball> {
+        Places::guide(self.pose, slider)
+    }
+
+    fn given(&self, number: f64) -> Ball {
+        self.pose.given(number)
+    }
+
     fn axis(&self, body: BodyId) -> Option<Pair<Ball>> {
         self.pose.axes[body.0].map(|axis| Pair::from(axis).unit())
     }

@@ -44,7 +44,11 @@ pub(crate) fn lever_states(mechanism: &Mechanism, places: &impl Places) -> Vec<(
 }
 
 /// What each drive needs, by both routes; `None` where a velocity has no bound.
-pub(super) fn drives(mechanism: &Mechanism, posed: &impl Posed, forces: &Forces) -> Option<Vec<Drive>> {
+pub(super) fn drives(
+    mechanism: &Mechanism,
+    posed: &(impl Posed<Ball> + Places),
+    forces: &Forces,
+) -> Option<Vec<Drive>> {
     let drive = |driven: Driven| {
         let state = bounded_motion(&with_unit_rate(mechanism, driven), posed, Order::Velocity);
         let power = |load: &Acting| {
@@ -55,7 +59,7 @@ pub(super) fn drives(mechanism: &Mechanism, posed: &impl Posed, forces: &Forces)
         let by_power = -powers.iter().fold(Ball::default(), |sum, &power| sum + power);
         let by_bodies = match driven {
             Driven::Body(body) => forces.torque(body),
-            Driven::Slider(slider) => forces.push(mechanism, slider, posed.guide(slider)),
+            Driven::Slider(slider) => forces.push(mechanism, slider, Places::guide(posed, slider)),
         };
         let (body, slider) = match driven {
             Driven::Body(body) => (Some(body), None),

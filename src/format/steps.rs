@@ -54,6 +54,11 @@ impl Solution {
             let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
             list.heading(&language.centers_differ(&difference, &allowed));
         }
+        let curvatures = construction.centers.iter().flat_map(|centers| &centers.curvatures);
+        for agreement in curvatures.filter_map(|found| found.agreement) {
+            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            list.heading(&language.curvatures_differ(&difference, &allowed));
+        }
         list.text
     }
 }
@@ -245,9 +250,17 @@ impl StepList<'_> {
                 let sine = self.teller.sine_of_center(*id).filter(|sine| *sine > 0.0);
                 std::iter::once(equation).chain(sine.map(|sine| self.crossing(sine))).collect()
             }
-            Action::RateByCenters { .. } | Action::VelocityByCenters(_) | Action::Force(_) | Action::Lever(_) => {
+            Action::RateByCenters { .. }
+            | Action::RateBySlide { .. }
+            | Action::VelocityByCenters(_)
+            | Action::Curvature { .. }
+            | Action::Force(_)
+            | Action::Lever(_) => {
                 if let (Action::Force(_), Some(force)) = (step.action, self.teller.force_of_step(step.action)) {
                     return vec![format!("{equation} = {}", self.vector(force, sheet))];
+                }
+                if equation.is_empty() {
+                    return Vec::new();
                 }
                 let value = self.teller.value_of_step(step.action);
                 let value = value.map(|(value, kind)| format!(" = {} {}", self.digits(value), kind.unit(self.units)));

@@ -14,7 +14,7 @@ mod reduced;
 mod system;
 
 pub use ball::{Ball, RADIANS_PER_SECOND, RADIANS_PER_TURN};
-pub use equations::Equations;
+pub use equations::{Equations, Solvable};
 pub use lanes::{Lanes, MANY, Many, OneByOne, Register, Registers, Row, TOGETHER, portions};
 pub use line::{Crossing, Line, PARALLEL, Place};
 pub use numbers::{NEAR, Number, Pair, direction_near, quarters_of};

@@ -4,26 +4,30 @@ use super::name::{ForceOf, QuantityError, QuantityRequest};
 use super::says;
 use super::value::{Quantity, State};
 use crate::forces::{Forces, Posed, in_equilibrium};
-use crate::geometry::{Ball, Pair, Point};
+use crate::geometry::{Pair, Point, Solvable, Vector};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
-use crate::motion::Places;
+use std::cell::OnceCell;
 
 /// A force as read from all forces: a number or a vector.
-pub(crate) enum ForceRead {
+pub(crate) enum ForceRead<N> {
     /// Across or along a guide, or a moment.
-    Number(Ball),
+    Number(N),
     /// At a pin.
-    Vector(Pair<Ball>),
+    Vector(Pair<N>),
 }
+
+/// The forces in a position, once they are found.
+#[derive(Clone, Debug, Default)]
+pub struct KeptForces(OnceCell<Option<Box<Forces<f64>>>>);
 
 impl ForceOf {
     /// It among all forces; `guide` gives the directions of guides. `None` where the body has no joint with the pin.
-    pub(crate) fn read(
+    pub(crate) fn read<N: Solvable>(
         self,
         mechanism: &Mechanism,
-        forces: &Forces,
-        guide: impl Fn(SliderId) -> Pair<Ball>,
-    ) -> Option<ForceRead> {
+        forces: &Forces<N>,
+        guide: impl Fn(SliderId) -> Pair<N>,
+    ) -> Option<ForceRead<N>> {
         Some(match self {
             ForceOf::Reaction(pin, body) => ForceRead::Vector(forces.at_pin(mechanism, pin, body)?),
             ForceOf::Normal(slider) => ForceRead::Number(forces.normal(mechanism, slider, guide(slider))),
@@ -42,11 +46,15 @@ impl QuantityRequest {
         mechanism: &Mechanism,
         state: &impl State,
     ) -> Result<Quantity, QuantityError> {
-        let found = in_equilibrium(mechanism, &Here { mechanism, state })
-            .and_then(|forces| of.read(mechanism, &forces, |slider| Pair::from(state.guide(slider))));
+        let find = || in_equilibrium(mechanism, &Here { mechanism, state }).map(Box::new);
+        let read = |forces: &Forces<f64>| of.read(mechanism, forces, |slider| state.guide(slider).into());
+        let found = match state.kept_forces() {
+            Some(KeptForces(kept)) => kept.get_or_init(find).as_deref().and_then(read),
+            None => find().as_deref().and_then(read),
+        };
         match found.ok_or_else(|| self.none(says::no_forces()))? {
-            ForceRead::Number(number) => Ok(Quantity::Number(number.high)),
-            ForceRead::Vector(vector) => Ok(Quantity::Vector(vector.rounded())),
+            ForceRead::Number(number) => Ok(Quantity::Number(number)),
+            ForceRead::Vector(Pair { x, y }) => Ok(Quantity::Vector(Vector::new(x, y))),
         }
     }
 }
@@ -57,48 +65,38 @@ struct Here<'a, S> {
     state: &'a S,
 }
 
-impl<S: State> Places for Here<'_, S> {
-    fn place(&self, point: PointId) -> Pair<Ball> {
+impl<S: State> Posed<f64> for Here<'_, S> {
+    fn place(&self, point: PointId) -> Pair<f64> {
         self.state.place(point).coords.into()
     }
 
-    fn arm(&self, from: PointId, to: PointId) -> Pair<Ball> {
-        Pair::between(self.state.place(from), self.state.place(to))
-    }
-
-    fn guide(&self, slider: SliderId) -> Pair<Ball> {
+    fn guide(&self, slider: SliderId) -> Pair<f64> {
         self.state.guide(slider).into()
     }
 
-    fn given(&self, number: f64) -> Ball {
-        number.into()
+    fn given(&self, number: f64) -> f64 {
+        number
     }
 
-    fn omega(&self, _: BodyId, omega: f64) -> Ball {
-        omega.into()
-    }
-}
-
-impl<S: State> Posed for Here<'_, S> {
-    fn axis(&self, body: BodyId) -> Option<Pair<Ball>> {
-        Some(Pair::from(self.state.axis(body)?).unit())
+    fn axis(&self, body: BodyId) -> Option<Pair<f64>> {
+        Some(self.state.axis(body)?.normalize().into())
     }
 
-    fn slide_position(&self, slider: SliderId) -> Option<Ball> {
-        self.state.slide_position(slider).map(Ball::from)
+    fn slide_position(&self, slider: SliderId) -> Option<f64> {
+        self.state.slide_position(slider)
     }
 
-    fn local(&self, body: BodyId, point: PointId) -> Pair<Ball> {
+    fn local(&self, body: BodyId, point: PointId) -> Pair<f64> {
         self.mechanism.local(body, point).coords.into()
     }
 
-    fn acceleration(&self, body: BodyId, place: Pair<Ball>) -> Pair<Ball> {
-        let [_, acceleration] = self.state.motion_at(body, Point::from(place.rounded()));
+    fn acceleration(&self, body: BodyId, place: Pair<f64>) -> Pair<f64> {
+        let [_, acceleration] = self.state.motion_at(body, Point::new(place.x, place.y));
         acceleration.into()
     }
 
-    fn alpha(&self, body: BodyId) -> Ball {
+    fn alpha(&self, body: BodyId) -> f64 {
         let [_, alpha] = self.state.angular_rates(body);
-        alpha.into()
+        alpha
     }
 }

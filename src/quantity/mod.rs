@@ -24,6 +24,7 @@ pub use crate::scene::{Component, Head, QuantityName};
 pub use crate::sheet::QuantityKind;
 pub use band::{Band, Pencil, pencil, step_pencil};
 pub(crate) use forces::ForceRead;
+pub use forces::KeptForces;
 pub use name::{
     AccelerationPart, ForceOf, Pole, PoleOf, QuantityError, QuantityRequest, Spot, What, measured_names,
     readable_names, step_names,

@@ -77,9 +77,13 @@ impl QuantityRequest {
 
 impl Solution {
     /// The instant centre of a link and the frame, and the link's inflection pole: the ends of a diameter of its inflection circle. `None` of a link that has none,
-    /// or without accelerations.
+    /// as it turns about a fixed point or does not turn, and without accelerations.
     #[must_use]
     pub fn inflection_circle(&self, link: &str) -> Option<(BodyId, [Point; 2])> {
+        let pair = LinkPair::new(self.mechanism.link(link)?, GROUND)?;
+        if Permanent::of(pair, &self.mechanism).is_some() {
+            return None;
+        }
         let ground = &self.mechanism.body(GROUND).name;
         let names = [format!("P({link},{ground})"), format!("W({link})")];
         let [pole, inflection] = names.map(|name| self.quantity(&name).ok());

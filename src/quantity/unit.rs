@@ -167,7 +167,7 @@ impl QuantityRequest {
             What::Coordinate(_, spot) => plain("y", shown(spot.name())),
             What::Length(a, b) if self.sheet() == Sheet::Centers => {
                 let end = |spot: &Spot| match spot {
-                    Spot::Pole(Pole { of: PoleOf::Center(pair, _), .. }) => pair.symbol(mechanism, notation, shown),
+                    Spot::Pole(Pole { of: PoleOf::Center(pair, _), .. }) => pair.symbol(0, mechanism, notation, shown),
                     _ => shown(spot.name()),
                 };
                 Symbol { after: format!("{} {}", end(a), end(b)), ..plain("", String::new()) }

@@ -1,5 +1,6 @@
 //! Values of quantities in a position.
 
+use super::forces::KeptForces;
 use super::name::{AccelerationPart, Part, QuantityError, QuantityRequest, Spot, What, unknown};
 use super::says;
 use crate::construction::{Construction, Rate, Solution, image_name, normal_name};
@@ -219,6 +220,11 @@ pub trait State {
     fn angular_rates(&self, body: BodyId) -> [f64; 2];
     /// Velocity and acceleration of the body's point at a place.
     fn motion_at(&self, body: BodyId, place: Point) -> [Vector; 2];
+    /// Where the forces here are kept once they are found, so that all quantities that ask for them share them; `None` where each
+    /// finds them anew.
+    fn kept_forces(&self) -> Option<&KeptForces> {
+        None
+    }
 }
 
 /// A pose and its motion.

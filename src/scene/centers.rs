@@ -1,4 +1,4 @@
-//! The instant centres and the velocities by centres that a figure asks for.
+//! The instant centres that a figure asks for, and the velocities and curvatures by them.
 
 use super::error::{Wrong, shortened};
 use super::figure::Figure;
@@ -64,7 +64,7 @@ impl<'de> Visitor<'de> for CentersVisitor {
     }
 }
 
-/// Refuses centres of what is no pair of links, and velocities of what is no point of a moving link.
+/// Refuses centres of what is no pair of links, velocities and curvatures of what is no point of a moving link.
 pub(super) fn check_centers(names: &Names<'_>, figure: &Figure) -> Result<(), Wrong> {
     if let CentersShown::Named(centers) = &figure.centers {
         for (index, center) in centers.iter().enumerate() {
@@ -75,14 +75,16 @@ pub(super) fn check_centers(names: &Names<'_>, figure: &Figure) -> Result<(), Wr
             }
         }
     }
-    for (index, point) in figure.velocities.iter().enumerate() {
-        let path = ["velocities", &index.to_string()];
-        names.point(&path, point)?;
-        if names.on_ground(point) {
-            return Err(Wrong::value(&path, says::ground_is_at_rest(point)));
-        }
-        if figure.velocities[..index].contains(point) {
-            return Err(Wrong::value(&path, says::point_twice(point)));
+    for (key, points) in [("velocities", &figure.velocities), ("curvature", &figure.curvature)] {
+        for (index, point) in points.iter().enumerate() {
+            let path = [key, &index.to_string()];
+            names.point(&path, point)?;
+            if names.on_ground(point) {
+                return Err(Wrong::value(&path, says::ground_is_at_rest(point)));
+            }
+            if points[..index].contains(point) {
+                return Err(Wrong::value(&path, says::point_twice(point)));
+            }
         }
     }
     Ok(())

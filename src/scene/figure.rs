@@ -105,9 +105,12 @@ pub struct Figure {
     /// mechanism with at most four links, of a larger one those of all links with the frame.
     #[schemars(with = "Option<CentersShown>")]
     pub centers: CentersShown,
-    /// Points of links whose velocities that panel shows, found by centres from the one driven link.
+    /// Points of links whose velocities that panel shows, found by centres from the one drive.
     #[schemars(extend("uniqueItems" = true))]
     pub velocities: Vec<String>,
+    /// Points of links for whose paths that panel shows the centres of curvature, by Bobillier's construction.
+    #[schemars(extend("uniqueItems" = true))]
+    pub curvature: Vec<String>,
     /// Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a
     /// photograph of them is read; left out: true.
     pub markers: bool,
@@ -121,7 +124,7 @@ pub struct Figure {
 
 write_keys!(Figure {
     panels, mu, scales, focus, page, worksheet, style, notation, sliding, coriolis, center_letter, frame, turned, language,
-    decimal, labels, special_points, construction, values, step, trace, beyond_limits, centrodes, inflection, ghosts, centers, velocities, markers; sizes, usual_values
+    decimal, labels, special_points, construction, values, step, trace, beyond_limits, centrodes, inflection, ghosts, centers, velocities, curvature, markers; sizes, usual_values
 } unless Figure::default());
 
 fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
@@ -177,6 +180,7 @@ impl Default for Figure {
             ghosts: None,
             centers: CentersShown::Usual,
             velocities: Vec::new(),
+            curvature: Vec::new(),
             markers: true,
             sizes: None,
             usual_values: None,

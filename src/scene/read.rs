@@ -264,6 +264,16 @@ impl Scene {
         check_traced(self.given_by, &names, &self.sliders, &figure).map_err(Wrong::without_place)
     }
 
+    /// Whether paths, ghosts, centrodes, inflection circles, instant centres and velocities by them that the figure asks for can be drawn.
+    ///
+    /// # Errors
+    /// The first that cannot; its path begins with the figure's key, as `centrodes.0`, and it has no place in the text.
+    pub fn check_shown(&self) -> Result<(), SceneError> {
+        let (names, figure) = (Names::new(&self.ground, &self.links), &self.figure);
+        let traced = check_traced(self.given_by, &names, &self.sliders, figure);
+        traced.and_then(|()| check_centers(&names, figure)).map_err(Wrong::without_place)
+    }
+
     /// Whether the frame can be called by the number that the figure gives it.
     ///
     /// # Errors

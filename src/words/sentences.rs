@@ -142,6 +142,14 @@ sentences! {
     centers_by_rates(centers);
     rate_by_centers(rate, driver, link, center);
     velocity_by_centers(vector, from, point);
+    rate_by_slide(rate, link, center, velocity);
+    velocity_along_guide(vector, guide);
+    collineation_axis(first, second, first_center, second_center, pole, crossing);
+    pole_tangent(link, pole, first, second);
+    axis_of_point(pole, point, pin, crossing);
+    center_of_curvature(point, fixed, center);
+    path_inflection(point, fixed);
+    curvatures_differ(difference, allowed);
     velocity_of_center(vector, center, link);
     centers_differ(difference, allowed);
 
@@ -197,8 +205,14 @@ sentences! {
     path_of(point, unit);
     centrodes(links);
     no_centrodes(links);
-    inflection_circle(link, diameter);
+    inflection_circle(link, diameter, center, pole);
     no_inflection_circle(link);
+    /// Of links without relative motion.
+    no_centers(centers);
+    no_velocities_by_centers(points);
+    no_curvatures(points);
+    radius_of_curvature(point, radius);
+    no_radius_of_curvature(point);
     /// At another assembly mode.
     mode(number);
     modes_left_out(count);

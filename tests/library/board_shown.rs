@@ -183,3 +183,35 @@ fn what_is_told_is_true_in_its_sense_and_its_sign() {
     assert!(done.contains("-2.244 for -2.424"), "{done}");
     assert_eq!(should, "-2.424");
 }
+
+#[test]
+fn motions_of_the_ground_are_not_asked_for_and_minus_signs_are_signs() {
+    let board = shown(&screen(&read("examples/figure-2.json")), "all", &json!([]));
+    let names: Vec<&str> = board.names.iter().map(|name| name.name.as_str()).collect();
+    for fixed in ["v(A)", "a(A)", "v(G)", "a(G)"] {
+        assert!(!names.contains(&fixed), "{fixed}: {names:?}");
+    }
+    assert!(["v(B)", "v(D)", "v(D_2)"].iter().all(|moving| names.contains(moving)), "{names:?}");
+    let omega = board.given.iter().find(|number| number.name == "omega(1)").expect("it is given");
+    assert_eq!(omega.value, "−1");
+    let words = |did: Value| shown(&screen(&read("templates/four-bar.json")), "all", &did).did[0].words.clone();
+    let laid = json!([{ "lay_off": "b", "on": "velocity", "from": "p", "size": "-(2-L(A,B))", "along": { "angle": -30 } }]);
+    assert!(words(laid).starts_with("b: −(2−L(A,B)) laid off from p, at −30°"));
+    assert_eq!(words(json!([{ "compute": "x", "value": -8 }])), "x = −8, typed: −8");
+}
+
+/// At a joint two links meet: both are offered, each with its direction.
+#[test]
+fn a_press_at_a_joint_offers_all_directions_there() {
+    let screen = screen(&read("templates/four-bar.json"));
+    let empty = drawing("all", &json!([]));
+    let board = shown(&screen, "all", &json!([]));
+    let b = board.things.iter().find(|thing| thing.kind == ThingKind::Point && thing.name == "B").expect("a joint").at;
+    let has = serde_json::from_value(json!({ "line": "", "along": { "normal": "" } })).expect("an object");
+    let all = screen.snapped(&empty, &Pressed { has, sheet: kinegon::Sheet::Scheme, at: b, reach: 1.0 });
+    let directions: Vec<f64> = all.iter().map(|snap| snap.direction.expect("a direction")).collect();
+    // The crank stands at 60° in the template; the coupler does not.
+    assert_eq!(directions.len(), 2, "{all:?}");
+    assert!(directions.iter().any(|angle| (angle - 60.0).abs() < 1e-9), "{directions:?}");
+    assert!((directions[0] - directions[1]).abs() > 1.0);
+}

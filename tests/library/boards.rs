@@ -165,6 +165,65 @@ fn a_free_hand_may_err_as_hands_do() {
     }
 }
 
+/// Numbers that a free hand has measured, worked out and typed, of drawings by another hand (tests/drawings): they are off by more than their digits
+/// leave open, and follow from what was drawn.
+#[test]
+fn typed_numbers_that_follow_from_the_drawing_are_right() {
+    for name in ["whitworth", "figure-1"] {
+        let at = |part: &str| read(&format!("tests/drawings/honest/{name}.{part}.json"));
+        let drawing = HandDrawing::read(&at("drawing")).expect("a drawing");
+        let found = judge(&at("scene")).judge(&drawing).expect("it is carried out");
+        assert_eq!(found.first_wrong(), None, "{name}: {:?}", found.verdicts);
+    }
+}
+
+/// The plans of the four-bar linkage up to the end of the normal part of C relative to B, which has a name of the hand's own.
+fn up_to_own_normal_part(size: &Value, from: &str) -> Value {
+    let mut did = velocity_plan();
+    did.extend([
+        json!({ "lay_off": "b", "on": "acceleration", "from": "π", "size": "omega(1)^2*L(A,B)", "along": { "parallel": "B,A" } }),
+        json!({ "lay_off": "h1", "on": "acceleration", "from": from, "size": size, "along": { "parallel": "C,B" } }),
+        json!({ "line": "r3", "on": "acceleration", "through": "h1", "along": { "normal": "2" } }),
+        json!({ "compute": "omega(3)", "as": "vplan(p,c)/L(C,D)", "sense": "ccw" }),
+        json!({ "lay_off": "n_dC", "on": "acceleration", "from": "π", "size": "omega(3)^2*L(C,D)", "along": { "parallel": "C,D" } }),
+        json!({ "line": "r4", "on": "acceleration", "through": "n_dC", "along": { "normal": "3" } }),
+        json!({ "cross": "c", "on": "acceleration", "of": ["r3", "r4"] }),
+    ]);
+    Value::Array(did)
+}
+
+#[test]
+fn what_is_wrong_with_points_and_numbers_of_ones_own_is_named() {
+    use kinegon::check::Mistake;
+    let judge = judge(&read(FOUR_BAR));
+    let given = judge.given();
+    let number = |name: &str| given.number(name).expect("a number");
+    let [omega, length] = ["omega(2)", "L(B,C)"].map(number);
+    let own = 8;
+    let cases = [
+        (json!("2*omega(2)^2*L(B,C)"), "b", Mistake::Diameter),
+        (json!("abs(omega(2))*L(B,C)"), "b", Mistake::OmegaNotSquared),
+        (json!("vplan(p,c)^2/L(B,C)"), "b", Mistake::NormalFromAbsolute),
+        // Worked out by the hand, to three digits.
+        (json!(three_digits(omega.abs() * length)), "b", Mistake::OmegaNotSquared),
+        (json!(three_digits(2.0 * omega * omega * length)), "b", Mistake::Diameter),
+    ];
+    let right = judged(&judge, &up_to_own_normal_part(&json!("omega(2)^2*L(B,C)"), "b"));
+    assert_eq!(right.first_wrong(), None, "{:?}", right.verdicts);
+    let typed = judged(&judge, &up_to_own_normal_part(&json!(three_digits(omega * omega * length)), "b"));
+    assert_eq!(typed.first_wrong(), None, "{:?}", typed.verdicts);
+    for (size, from, meant) in cases {
+        let found = judged(&judge, &up_to_own_normal_part(&size, from));
+        assert_eq!(found.first_wrong(), Some(own), "{size}: {:?}", found.verdicts);
+        let Verdict::Wrong(wrong) = &found.verdicts[own] else { unreachable!() };
+        assert_eq!(wrong.mistake.as_ref().map(|told| told.mistake), Some(meant), "{size}");
+    }
+}
+
+fn three_digits(x: f64) -> f64 {
+    format!("{x:.2e}").parse().expect("a number")
+}
+
 #[test]
 fn what_cannot_be_carried_out_is_refused_with_its_entry() {
     let judge = judge(&read(SLIDER_CRANK));

@@ -12,6 +12,7 @@
 //!   centres of three links to a line.
 //! - Lines to poles: `kennedy` holds instant centres by Kennedy's lines to independent digits and to the motion, and finds them for all chains of four, six and eight
 //!   links with the fewest crossings.
+//!   `by_centers` holds velocities and centres of curvature by them to the motion and to closed forms; `centers_drawn` reads their symbols on figures and in steps.
 //!   `centers_checked` holds forms of centres to independent digits.
 //! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles, `studies` the assemblies of a study's mechanisms to those of each by itself; `planted_modes` and
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
@@ -56,9 +57,11 @@ mod assemblies;
 mod bad_scenes;
 mod board_shown;
 mod boards;
+mod by_centers;
 mod camera;
 mod centers;
 mod centers_checked;
+mod centers_drawn;
 mod cheats;
 mod committed_files;
 mod complete_plans;

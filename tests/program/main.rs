@@ -17,6 +17,7 @@ mod boards;
 mod catalogue;
 mod certain_digits;
 mod command_line;
+mod command_line_centers;
 mod command_line_check;
 mod command_line_class;
 mod command_line_paper;

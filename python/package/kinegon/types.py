@@ -357,7 +357,9 @@ class Figure(TypedDict):
     centers: NotRequired[Centers]
     """The instant centres on the panel "centers", besides those that lead to them: "all", or a list of names, as ["P(2,ground)"]. Left out: all of a mechanism with at most four links, of a larger one those of all links with the frame."""
     velocities: NotRequired[Sequence[str]]
-    """Points of links whose velocities that panel shows, found by centres from the one driven link."""
+    """Points of links whose velocities that panel shows, found by centres from the one drive."""
+    curvature: NotRequired[Sequence[str]]
+    """Points of links for whose paths that panel shows the centres of curvature, by Bobillier's construction."""
     markers: NotRequired[bool]
     """Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a photograph of them is read; left out: true."""
     note: NotRequired[object]
@@ -1206,7 +1208,9 @@ class FigureKeys(TypedDict, total=False):
     centers: Centers | None
     """The instant centres on the panel "centers", besides those that lead to them: "all", or a list of names, as ["P(2,ground)"]. Left out: all of a mechanism with at most four links, of a larger one those of all links with the frame."""
     velocities: Sequence[str] | None
-    """Points of links whose velocities that panel shows, found by centres from the one driven link."""
+    """Points of links whose velocities that panel shows, found by centres from the one drive."""
+    curvature: Sequence[str] | None
+    """Points of links for whose paths that panel shows the centres of curvature, by Bobillier's construction."""
     markers: bool | None
     """Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a photograph of them is read; left out: true."""
 

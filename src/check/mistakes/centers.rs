@@ -60,7 +60,7 @@ impl<'s> Drawn<'s> {
         let mechanism = &self.site.key.solution.mechanism;
         let notation = &self.site.key.solution.wording().notation;
         let symbol = |id: CenterId| {
-            let symbol = self.all.get(id).pair.symbol(mechanism, notation, &str::to_owned);
+            let symbol = self.all.get(id).pair.symbol(0, mechanism, notation, &str::to_owned);
             symbol.replace(['{', '}'], "")
         };
         let own = self.all.all.iter().flat_map(Center::lines).find(|own| own.line == Some(line));

@@ -9,7 +9,7 @@ use crate::construction::operation::{Along, LineId, OperationRole, PlaceId};
 use crate::construction::step::Action;
 use crate::construction::writer::Writer;
 use crate::geometry::{Ball, Pair, Place, Point, UNIT_ROUNDOFF, Vector, quarter_turn};
-use crate::mechanism::{BodyId, Mechanism, PointId, Role};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
 use crate::motion::Motion;
 use crate::sheet::Sheet;
 
@@ -17,8 +17,8 @@ use crate::sheet::Sheet;
 type OverLink = (Option<BodyId>, [CenterId; 2]);
 
 impl Writer<'_> {
-    /// Draws the centres that are wanted, and those that lead to them; and the velocities of these points by centres.
-    pub(crate) fn centers(&mut self, wanted: &[LinkPair], points: &[PointId]) {
+    /// Draws the centres that are wanted, and those that lead to them; the velocities of these points by centres, and the centres of curvature of the paths of others.
+    pub(crate) fn centers(&mut self, wanted: &[LinkPair], points: &[PointId], curved: &[PointId]) {
         let links: Vec<BodyId> = links(self.mechanism);
         self.construction.centers = Some(Box::new(Centers { links: links.clone(), ..Centers::default() }));
         self.permanent_centers(&links);
@@ -38,7 +38,12 @@ impl Writer<'_> {
             }
         }
         let velocities = self.velocity_plans(points);
-        let needed = wanted.iter().copied().chain(velocities.iter().flat_map(|velocity| velocity.needs()));
+        let of_curved: Vec<LinkPair> = { self.mechanism.links() }
+            .filter(|(_, link)| curved.iter().any(|point| link.has(*point)))
+            .filter_map(|(id, _)| LinkPair::new(id, GROUND))
+            .collect();
+        let needed =
+            wanted.iter().copied().chain(velocities.iter().flat_map(|velocity| velocity.needs())).chain(of_curved);
         let numbers: Vec<Two> = needed.filter_map(two_of).collect();
         for way in ways(&permanent, &mut places, &numbers, has_one_freedom(self.mechanism)) {
             match way {
@@ -50,6 +55,12 @@ impl Writer<'_> {
         for velocity in velocities {
             self.velocity_by_centers(velocity);
         }
+        curved.iter().for_each(|point| self.curvature(*point));
+        let centers = self.drawn_centers();
+        let is_known = |point: &PointId| centers.curvatures.iter().any(|found| found.point == *point);
+        centers.without_curvature = curved.iter().copied().filter(|point| !is_known(point)).collect();
+        let is_found = |point: &PointId| centers.velocities.iter().any(|found| found.point == *point);
+        centers.without_velocity = points.iter().copied().filter(|point| !is_found(point)).collect();
     }
 
     pub(super) fn drawn_centers(&mut self) -> &mut Centers {
@@ -294,7 +305,7 @@ fn has_one_freedom(mechanism: &Mechanism) -> bool {
 }
 
 /// Sine of the angle of two lines below which roundings of the joints' places let nobody tell them from parallel ones.
-const PARALLEL: f64 = 1e-13;
+pub(super) const PARALLEL: f64 = 1e-13;
 
 /// The centre of two links by their motion, with the bound of its error: twists are taken about a point near it. None of one farther away than
 /// `reach`, which counts as at infinity.

@@ -2,15 +2,19 @@
 //! them a second route beside the centres of the computed motion, with which they are compared.
 //!
 //! In reading order: `order` (which lines, and how few), `chain` (where they cross, and what is done where they do not suffice), `draw`, which
-//! writes the operations and steps, `velocity` (angular velocities and velocities by distances of centres), `told` (captions and equations).
+//! writes the operations and steps, `velocity` (angular velocities and velocities by distances of centres), `curvature` (centres of curvature of paths), `symbol` and `told` (symbols, captions and equations).
 
 pub mod chain;
+mod curvature;
 mod draw;
 pub mod order;
+mod symbol;
 mod told;
 mod velocity;
 
-pub use velocity::CenterVelocity;
+pub use curvature::{Curvature, CurvatureStep, KnownRay, PoleTangent};
+pub use symbol::missing_of_centers;
+pub use velocity::{CenterVelocity, Push};
 
 use super::constructed::Agreement;
 use super::operation::{Along, LineId, PlaceId};
@@ -37,6 +41,14 @@ pub struct Centers {
     pub agreement: Option<Agreement>,
     /// Velocities by centres.
     pub velocities: Vec<CenterVelocity>,
+    /// The points whose velocities were asked for and do not follow from centres.
+    pub without_velocity: Vec<PointId>,
+    /// Pole tangents of links, from which centres of curvature follow.
+    pub tangents: Vec<PoleTangent>,
+    /// Centres of curvature of the paths of points.
+    pub curvatures: Vec<Curvature>,
+    /// The points for whose paths they were asked for and cannot be drawn.
+    pub without_curvature: Vec<PointId>,
 }
 
 /// An instant centre on the sheet.

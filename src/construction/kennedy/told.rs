@@ -1,7 +1,8 @@
 //! What is said of instant centres: captions, equations and symbols.
 
-use super::{Center, CenterId, CenterLine, CenterOrigin, CenterVelocity, FigureOf, Spot};
-use crate::centers::LinkPair;
+use super::symbol::{link_in_words, symbol};
+use super::{Center, CenterId, CenterLine, CenterOrigin, CenterVelocity, CurvatureStep, FigureOf, Spot};
+use crate::centers::{LinkPair, link_in_index};
 use crate::construction::markup::{Formula, display, rate_symbol};
 use crate::construction::number::Rate;
 use crate::construction::sentence::Teller;
@@ -9,27 +10,21 @@ use crate::construction::step::Action;
 use crate::geometry::Place;
 use crate::mechanism::{BodyId, GROUND};
 use crate::sheet::{Order, QuantityKind};
+use crate::words::{SlidePart, under};
 
 impl Teller<'_> {
-    /// The symbol of the centre of two links in markup, as `P_{13}`, with the frame as 0 unless a link or the frame has another number; of a centre without
-    /// a link with primes.
+    /// The symbol of the centre of two links in markup, as `P_{13}`; of a centre without a link with primes.
     #[must_use]
     pub fn center_symbol(&self, pair: LinkPair, figure: FigureOf) -> String {
-        let names = pair.links().map(|link| self.link_in_symbol(link));
-        let is_long = names.iter().any(|name| name.chars().count() > 1);
-        format!("P{}_{{{}}}", "′".repeat(figure.primes()), names.join(if is_long { "," } else { "" }))
+        symbol(pair, figure, self.mechanism, self.words)
     }
 
     /// A link in the index of a symbol.
     #[must_use]
-    pub fn link_in_symbol(&self, link: BodyId) -> &str {
-        let body = self.mechanism.body(link);
-        match (link, self.words.notation.frame) {
-            (GROUND, Some(_)) => self.words.ground(),
-            (GROUND, None) if self.mechanism.link("0").is_none() => "0",
-            (GROUND, None) => self.words.ground(),
-            _ => &body.name,
-        }
+    pub fn link_in_symbol(&self, link: BodyId) -> String {
+        link_in_index(link, self.mechanism, &self.words.notation, &|name| {
+            link_in_words(name, self.mechanism, self.words)
+        })
     }
 
     fn symbol_of(&self, id: CenterId) -> String {
@@ -77,7 +72,7 @@ impl Teller<'_> {
                 let FigureOf::Glued { without, together, .. } = *figure else { return None };
                 let [a, b] = together.links().map(|link| self.link_in_symbol(link));
                 let center = self.center_symbol(*center, *figure);
-                language.leave_out(self.link_in_symbol(without), a, b, &center)
+                language.leave_out(&self.link_in_symbol(without), &a, &b, &center)
             }
             Action::CentersByRates(pairs) => {
                 let symbols: Vec<String> =
@@ -88,7 +83,12 @@ impl Teller<'_> {
                 let common = LinkPair::new(*link, *driver)?;
                 let [driver, own] = [*driver, *link].map(|link| self.link_in_symbol(link));
                 let symbol = self.center_symbol(common, FigureOf::Mechanism);
-                language.rate_by_centers(&self.omega(*link), driver, own, &symbol)
+                language.rate_by_centers(&self.omega(*link), &driver, &own, &symbol)
+            }
+            Action::RateBySlide { link, at, slider, .. } => {
+                let symbol = self.center_symbol(*at, FigureOf::Mechanism);
+                let speed = self.slide(Order::Velocity, SlidePart::Relative, *slider);
+                language.rate_by_slide(&self.omega(*link), &self.link_in_symbol(*link), &symbol, &speed)
             }
             Action::VelocityByCenters(index) => {
                 let velocity = centers.velocities.get(*index)?;
@@ -96,14 +96,48 @@ impl Teller<'_> {
                 let vector = format!("v_{{{}}}", self.mechanism.point_name(velocity.point));
                 match self.turns_about(velocity) {
                     Some(center) => language.velocity_by_centers(&vector, &center, &point),
+                    None if velocity.link == velocity.driver => {
+                        let slider = velocity.push?.slider;
+                        language.velocity_along_guide(&vector, &self.slider_name(slider))
+                    }
                     None => {
                         let common = LinkPair::new(velocity.driver, velocity.link)?;
                         let common = self.center_symbol(common, FigureOf::Mechanism);
-                        language.velocity_of_center(&vector, &common, self.link_in_symbol(velocity.link))
+                        language.velocity_of_center(&vector, &common, &self.link_in_symbol(velocity.link))
                     }
                 }
             }
+            Action::Curvature { index, step } => self.caption_of_curvature(*index, *step)?,
             _ => return None,
+        })
+    }
+
+    fn caption_of_curvature(&self, index: usize, step: CurvatureStep) -> Option<String> {
+        let (language, centers) = (self.words.language, self.construction.centers.as_ref()?);
+        let met = |crossing: Place| match crossing {
+            Place::At(_) => "Q".to_owned(),
+            Place::AtInfinity(_) => language.at_infinity("Q"),
+        };
+        if let CurvatureStep::Axis | CurvatureStep::Tangent = step {
+            let tangent = centers.tangents.get(index)?;
+            let pole = self.symbol_of(tangent.pole);
+            let [a, b] = tangent.rays.map(|ray| self.symbol_of(ray.pin));
+            let [c, d] = tangent.rays.map(|ray| self.symbol_of(ray.center));
+            return Some(match step {
+                CurvatureStep::Axis => language.collineation_axis(&a, &b, &c, &d, &pole, &met(tangent.crossing)),
+                _ => language.pole_tangent(&self.link_in_symbol(tangent.link), &pole, &a, &b),
+            });
+        }
+        let found = centers.curvatures.get(index)?;
+        let tangent = centers.tangents.get(found.tangent)?;
+        let (point, ray) = (display(self.mechanism.point_name(found.point)), tangent.rays[found.by]);
+        let [pin, fixed] = [ray.pin, ray.center].map(|id| self.symbol_of(id));
+        Some(match (step, found.center) {
+            (CurvatureStep::OwnAxis, _) => {
+                language.axis_of_point(&self.symbol_of(tangent.pole), &point, &pin, &met(found.crossing))
+            }
+            (_, Place::At(_)) => language.center_of_curvature(&point, &fixed, &under(&point, "0")),
+            (_, Place::AtInfinity(_)) => language.path_inflection(&point, &fixed),
         })
     }
 
@@ -152,11 +186,19 @@ impl Teller<'_> {
                     }
                 }
             }
+            Action::RateBySlide { link, at, slider, .. } => {
+                let speed = self.slide(Order::Velocity, SlidePart::Relative, *slider);
+                let symbol = self.center_symbol(*at, FigureOf::Mechanism);
+                format!("{} = {speed} / {} {symbol}", self.omega(*link), fixed(*link)?).into()
+            }
             Action::VelocityByCenters(index) => {
                 let velocity = centers.velocities.get(*index)?;
                 let point = self.mechanism.point_name(velocity.point);
                 let product = match self.turns_about(velocity) {
                     Some(center) => format!("{} · {center} {}", self.omega(velocity.link), display(point)),
+                    None if velocity.link == velocity.driver => {
+                        self.slide(Order::Velocity, SlidePart::Relative, velocity.push?.slider)
+                    }
                     None => {
                         let pair = LinkPair::new(velocity.driver, velocity.link)?;
                         let common = self.center_symbol(pair, FigureOf::Mechanism);
@@ -164,6 +206,10 @@ impl Teller<'_> {
                     }
                 };
                 format!("v_{{{point}}} = {product}").into()
+            }
+            Action::Curvature { index, step: CurvatureStep::Center } => {
+                let point = display(self.mechanism.point_name(centers.curvatures.get(*index)?.point));
+                format!("ρ_{{{point}}} = {point} {}", under(&point, "0")).into()
             }
             _ => return None,
         })
@@ -189,10 +235,16 @@ impl Teller<'_> {
     /// The number that such a step finds, and its kind.
     fn value_of_centers(&self, action: &Action) -> Option<(f64, QuantityKind)> {
         match action {
-            Action::RateByCenters { value, .. } => Some((*value, QuantityKind::AngularVelocity)),
+            Action::RateByCenters { value, .. } | Action::RateBySlide { value, .. } => {
+                Some((*value, QuantityKind::AngularVelocity))
+            }
             Action::VelocityByCenters(index) => {
                 let velocity = self.construction.centers.as_ref()?.velocities.get(*index)?;
                 Some((velocity.velocity.norm(), QuantityKind::Velocity))
+            }
+            Action::Curvature { index, step: CurvatureStep::Center } => {
+                let found = self.construction.centers.as_ref()?.curvatures.get(*index)?;
+                Some((found.radius?, QuantityKind::Length))
             }
             _ => None,
         }

@@ -74,7 +74,7 @@ impl Teller<'_> {
     #[must_use]
     pub fn links_in_words(&self, links: &[BodyId]) -> String {
         let named = links.iter().filter(|link| !self.mechanism.body(**link).is_nameless());
-        let names: Vec<&str> = named.map(|link| self.link_in_symbol(*link)).collect();
+        let names: Vec<String> = named.map(|link| self.link_in_symbol(*link)).collect();
         let language = self.words.language;
         match names.as_slice() {
             [one] => language.one_link(one),

@@ -11,8 +11,9 @@ use crate::geometry::direction_of_degrees;
 use crate::mechanism::BodyId;
 use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
 
-/// Radii of the circle that are tried, in mm.
-const RADII: [f64; 4] = [13.0, 11.0, 9.0, 7.5];
+/// Radii of the circle that are tried, in mm: the larger ones where there are more corners than in a square.
+const RADII: [f64; 6] = [18.0, 15.5, 13.0, 11.0, 9.0, 7.5];
+const FEW: usize = 4;
 /// Room for the links' names around it, in mm.
 const NAMES: f64 = 4.6;
 /// Grid of the places that are tried, in mm.
@@ -22,12 +23,13 @@ const SIZE: f64 = 0.85 * CAPTION;
 
 /// Draws the diagram in the free place that is nearest to a corner of the panel; nothing where there is none.
 pub(super) fn draw(panel: &CentersOnPaper<'_>, canvas: &mut Canvas<'_>) {
+    let links = &panel.centers.links;
+    let radii = RADII.into_iter().skip(if links.len() > FEW { 0 } else { 2 });
     let Some((centre, radius)) =
-        RADII.into_iter().find_map(|radius| Some((free_place(canvas, radius + NAMES)?, radius)))
+        radii.into_iter().find_map(|radius| Some((free_place(canvas, radius + NAMES)?, radius)))
     else {
         return;
     };
-    let links = &panel.centers.links;
     let direction = |index: usize| {
         let along = direction_of_degrees(90.0 - 360.0 * index as f64 / links.len() as f64);
         Vec2::new(along.x, -along.y)
@@ -40,7 +42,7 @@ pub(super) fn draw(panel: &CentersOnPaper<'_>, canvas: &mut Canvas<'_>) {
     for (index, &link) in links.iter().enumerate() {
         let at = centre + direction(index) * radius;
         canvas.draw(Pen::ImagePoint, Shape::Circle { center: at, radius: canvas.dims.dot });
-        let name = RichText::math(panel.context.teller().link_in_symbol(link));
+        let name = RichText::math(&panel.context.link_in_index(link));
         write(canvas, name, CAPTION, centre + direction(index) * (radius + 0.55 * NAMES));
     }
     let edges: Vec<[Point; 2]> = { panel.centers.all.iter() }
@@ -76,7 +78,8 @@ fn place_of_number([a, b]: [Point; 2], edges: &[[Point; 2]], numbers: &[Point]) 
     const BESIDE: f64 = 1.5;
     const FROM_EDGES: f64 = 2.8;
     const FROM_NUMBERS: f64 = 3.0;
-    const SHARES: [f64; 9] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.19, 0.81];
+    const SHARES: [f64; 17] =
+        [0.5, 0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66, 0.3, 0.7, 0.26, 0.74, 0.22, 0.78, 0.18, 0.82];
     let along = (b - a).normalize();
     let beside = Vec2::new(-along.y, along.x) * BESIDE;
     let room = |at: &Point| {
@@ -85,7 +88,8 @@ fn place_of_number([a, b]: [Point; 2], edges: &[[Point; 2]], numbers: &[Point]) 
         let from_edges = from_edges.fold(f64::INFINITY, f64::min) / FROM_EDGES;
         let from_numbers =
             numbers.iter().map(|number| (*number - *at).hypot()).fold(f64::INFINITY, f64::min) / FROM_NUMBERS;
-        from_edges.min(from_numbers).min(1.0)
+        // A number over another is worse than one that touches an edge.
+        from_edges.min(from_numbers * from_numbers).min(1.0)
     };
     let places = SHARES.into_iter().flat_map(|share| [beside, -beside].map(|beside| a.lerp(b, share) + beside));
     let mut best = (f64::NEG_INFINITY, a.midpoint(b));

@@ -5,7 +5,6 @@ use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::{clipped_segment, simplified, simplified_to};
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
-use crate::mechanism::GROUND;
 use kurbo::{Point, Rect, Vec2};
 use std::f64::consts::{PI, TAU};
 
@@ -40,7 +39,6 @@ impl SchemeOnPaper<'_> {
     /// Draws the inflection circles, over the diameters from the instant centre to the inflection pole, and both poles.
     pub(super) fn inflection_circles(&self, canvas: &mut Canvas<'_>) {
         let room = canvas.room();
-        let index = |name: &str| self.context.shown(name, None);
         for name in &self.context.figure().inflection {
             let Some((link, poles)) = self.context.solution.inflection_circle(name) else { continue };
             let number = self.context.number(link);
@@ -51,12 +49,8 @@ impl SchemeOnPaper<'_> {
                 let name = format!("inflection-circle-{name}-{}", part + 1);
                 canvas.draw_below(&name, Pen::Construction, Shape::Polyline(simplified(chain))).number = number;
             }
-            let symbol = crate::centers::LinkPair::new(link, GROUND)
-                .map(|pair| pair.symbol(self.mechanism, &self.context.words.notation, &index));
-            for (what, symbol, at) in [
-                ("pole", symbol.unwrap_or_default(), pole),
-                ("inflection-pole", format!("W_{{{}}}", index(name)), inflection),
-            ] {
+            let [of_center, of_pole] = self.context.ends_of_inflection_circle(link);
+            for (what, symbol, at) in [("pole", of_center, pole), ("inflection-pole", of_pole, inflection)] {
                 if !room.inset(-1.0).contains(at) {
                     continue;
                 }

@@ -210,7 +210,9 @@ pub(in crate::drawing) fn outline(places: Vec<geometry::Point>) -> Vec<geometry:
 /// far away.
 pub(in crate::drawing) fn extent(context: &SheetContext<'_>) -> Extent {
     let special = context.special().filter_map(|special| reached(context, special));
-    let places = places(context.solution).chain(special);
+    let circles = context.figure().inflection.iter().filter_map(|link| context.solution.inflection_circle(link));
+    let poles = circles.flat_map(|(_, poles)| poles).filter(|pole| is_within_reach(context, *pole));
+    let places = places(context.solution).chain(special).chain(poles);
     let traces = &context.traces;
     let pieces = traces.paths.iter().flat_map(|path| path.pieces.iter().chain(&path.beyond).flatten());
     let poses = traces.ghosts.iter().chain(context.modes.shown.iter().map(|(_, pose)| pose));
@@ -223,9 +225,13 @@ pub(in crate::drawing) fn extent(context: &SheetContext<'_>) -> Extent {
 
 /// Whether a special point is near enough to be drawn at its place.
 pub(in crate::drawing) fn is_near(context: &SheetContext<'_>, special: &Special) -> bool {
+    special.place.finite().is_some_and(|place| is_within_reach(context, place))
+}
+
+fn is_within_reach(context: &SheetContext<'_>, place: geometry::Point) -> bool {
     let points = || context.solution.pose.points.iter().copied();
     let reach = if has_far_points(context) { REACH_OF_PENCIL } else { REACH };
-    special.place.finite().is_some_and(|place| span(points().chain([place])) <= reach * span(points()))
+    span(points().chain([place])) <= reach * span(points())
 }
 
 /// The circles of joints: centre, and radius in the scene's unit of length; zero for a pin.

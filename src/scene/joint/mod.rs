@@ -63,7 +63,7 @@ pub(crate) fn meaning(path: &[&str], is_key: bool) -> Option<Meaning> {
     Some(match (path, is_key) {
         (["ground" | "points" | "known"] | ["links", _, "shape"], true) => Meaning::Point,
         (["ground", _] | ["links", _, _] | ["links", _, "points", _], false) => Meaning::Point,
-        (["links", _, "motion", "at"] | ["figure", "trace", _], false) => Meaning::Point,
+        (["links", _, "motion", "at"] | ["figure", "trace" | "velocities" | "curvature", _], false) => Meaning::Point,
         (["forces", _, "at"] | ["springs", _, "between", _, "1"], false) => Meaning::Point,
         (["forces", _, "on"] | ["springs", _, "between", _, "0"], false) => Meaning::Link,
         (["figure", "centrodes" | "inflection", _], false) => Meaning::Link,
@@ -71,7 +71,9 @@ pub(crate) fn meaning(path: &[&str], is_key: bool) -> Option<Meaning> {
         (["near"], true) => Meaning::PointOrAngle,
         (["links", _, "lengths"], true) => Meaning::PairOfLink,
         (["figure", "labels"], true) => Meaning::OfPlan,
-        (["want", _] | ["forces", _, "over", "of"], false) | (["form"], true) => Meaning::Quantity,
+        (["want", _] | ["figure", "centers", _] | ["forces", _, "over", "of"], false) | (["form"], true) => {
+            Meaning::Quantity
+        }
         ([list, _, key] | [list, _, key, _], false) => {
             return JointKind::of_list(list)?.keys.iter().find(|(own, _)| own == key)?.1;
         }

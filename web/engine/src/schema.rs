@@ -52,7 +52,8 @@ pub fn schema() -> Value {
 /// What the page is told of a sheet, as a value in place of a type.
 fn facts(sheet: Sheet) -> Value {
     let (is_plan, vector) = (sheet.order().is_some(), sheet.order().map_or("", Order::vector));
-    json!({ "key": sheet, "scale": sheet.facts().scale_key, "isPlan": is_plan, "vector": vector })
+    let is_usual = Sheet::USUAL.contains(&sheet);
+    json!({ "key": sheet, "scale": sheet.facts().scale_key, "isPlan": is_plan, "isUsual": is_usual, "vector": vector })
 }
 
 /// The types of scene files, from their own schema: `SceneFile`, and its parts by their names there behind `Scene`.

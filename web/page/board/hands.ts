@@ -27,12 +27,13 @@ function together(all: readonly Snapped[], near: number): Snapped[] {
   return all.filter((one, index) => away(one, all[0]!) < near && all.slice(0, index).every((other) => away(one, other) > 1e-6));
 }
 
-/** Directions that a press so near to each of them may have meant: those that lie alike, as parts of a straight link, are one. A vector has a sense, too. */
-function unlike(all: readonly Snapped[], at: Place, near: number, turn: number): Snapped[] {
+/** Directions that a press so near to each of them may have meant: those that lie alike, as parts of a straight link, are one. The sense of a
+ * vector is seen before it has a name, and turned by a press. */
+function unlike(all: readonly Snapped[], at: Place, near: number): Snapped[] {
   const off = (one: Snapped): number => Math.hypot(one.at[0] - at[0], one.at[1] - at[1]);
   const isAlike = (one: Snapped, other: Snapped): boolean => {
-    const between = Math.abs((one.direction ?? 0) - (other.direction ?? 0)) % turn;
-    return Math.min(between, turn - between) < SAME_DIRECTION;
+    const between = Math.abs((one.direction ?? 0) - (other.direction ?? 0)) % 180;
+    return Math.min(between, 180 - between) < SAME_DIRECTION;
   };
   const there = all.filter((one) => off(one) < off(all[0]!) + near);
   return there.filter((one, index) => there.slice(0, index).every((other) => !isAlike(one, other)));
@@ -43,7 +44,7 @@ export function meantBy(model: Model, all: readonly Snapped[], at: Place, reach:
   const { takes } = lacking(model.tool.value, model.has.value) ?? {};
   if (all.length < 2) return [...all];
   if (takes === "point" || takes === "scheme") return together(all, CLOSE / scale);
-  return takes === "direction" ? unlike(all, at, reach / 2, model.tool.value === "lay_off" ? 360 : 180) : all.slice(0, 1);
+  return takes === "direction" ? unlike(all, at, reach / 2) : all.slice(0, 1);
 }
 
 /** Asks which of several things a press has meant. */

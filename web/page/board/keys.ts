@@ -4,7 +4,7 @@ import { called, PLANS, type Sheet } from "../sheets.ts";
 import { askWhich, meantBy, snaps } from "./hands.ts";
 import type { Model } from "./model.ts";
 import type { Place, Stage } from "./stage.ts";
-import { HOWS, howOf, KEY_OF, lacking, slotsOf, TOOLS } from "./tools.ts";
+import { howOf, KEY_OF, lacking, TOOLS, turned } from "./tools.ts";
 import type { Snapped } from "../engine/types.ts";
 import { say } from "./words.ts";
 
@@ -105,11 +105,10 @@ export function keys(app: App, model: Model, stages: readonly Stage[], toStrip: 
 
   /** The square turned by a quarter. */
   function turn(): void {
-    const slot = slotsOf(model.tool.value, model.has.value).find(({ takes }) => takes === "how");
-    if (slot === undefined) return;
-    const how = howOf(model.has.value) === HOWS[0] ? HOWS[1] : HOWS[0];
-    model.fill(slot.set(model.has.value, how));
-    app.speak(say(how));
+    const next = turned(model.tool.value, model.has.value);
+    if (next === model.has.value) return;
+    model.fill(next);
+    app.speak(say(howOf(next)));
   }
 
   function pressed(stage: Stage, event: KeyboardEvent): boolean {

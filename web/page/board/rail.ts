@@ -40,6 +40,8 @@ export function rail(model: Model): HTMLElement {
     TOOLS.forEach((tool, index) => {
       buttons[index]!.setAttribute("aria-checked", String(tool === now));
       buttons[index]!.tabIndex = tool === now ? 0 : -1;
+      // On a narrow screen there are more tools than are seen.
+      if (tool === now && root.scrollWidth > root.clientWidth) buttons[index]!.scrollIntoView({ block: "nearest", inline: "nearest" });
     }),
   );
   return root;

@@ -6,7 +6,7 @@ import { chipsOf, choicesOf, type Choice } from "./choices.ts";
 import { isTurning } from "./entries.ts";
 import type { Entry } from "./file.ts";
 import type { Model } from "./model.ts";
-import { lacking, slotsOf, type Slot, type Takes } from "./tools.ts";
+import { lacking, slotsOf, turned, type Slot, type Takes } from "./tools.ts";
 import { say } from "./words.ts";
 
 /** Slots that are written into; the others are chosen from what there is. */
@@ -95,6 +95,13 @@ export function strip(model: Model, back: () => void): Strip {
     return turn;
   }
 
+  /** Turns the square by a quarter: along a link, or across it. */
+  function quarter(): HTMLButtonElement {
+    const turn = element("button", { type: "button", class: "turn", "data-turn": "quarter", "aria-label": say("quarter"), title: say("quarter") }, "∥⊥");
+    turn.onclick = () => model.fill(turned(model.tool.value, model.has.value));
+    return turn;
+  }
+
   /** Builds the sentence anew where its boxes are others. */
   function build(): void {
     const tool = model.tool.value;
@@ -111,7 +118,7 @@ export function strip(model: Model, back: () => void): Strip {
     form.replaceChildren(...parts.flatMap((part) => {
       const box = boxes.get(part);
       if (part === "reference" && boxes.has("base")) return [boxes.get("turned_from")!, element("span", {}, "→"), boxes.get("turned_to")!, element("span", {}, say("at_base")), boxes.get("base")!];
-      return box !== undefined ? [box, ...(part === "size" ? turns : [])] : part.trim() === "" || part in marked ? [] : [element("span", {}, part.trim())];
+      return box !== undefined ? [box, ...(part === "size" ? turns : part === "how" ? [quarter()] : [])] : part.trim() === "" || part in marked ? [] : [element("span", {}, part.trim())];
     }));
     form.setAttribute("aria-label", say(`tool_${tool}`));
   }
@@ -163,7 +170,7 @@ export function strip(model: Model, back: () => void): Strip {
           if (fromSheet) back();
           fromSheet = false;
         });
-        if (snap.direction !== null) return pressed(chipOf(snap.words, "", snap.words), take);
+        if (snap.direction !== null) return pressed(element("button", { type: "button", "data-name": snap.words }, snap.words), take);
         const label = known.things.find(({ kind, name }) => kind === "point" && name === snap.words)?.label ?? "";
         return pressed(chipOf(snap.words, label, ""), take);
       }));

@@ -134,6 +134,12 @@ export function slotsOf(tool: Tool, entry: Entry): Slot[] {
   }
 }
 
+/** An entry with what it lies to turned by a quarter. */
+export function turned(tool: Tool, entry: Entry): Entry {
+  const slot = slotsOf(tool, entry).find(({ takes }) => takes === "how");
+  return slot === undefined ? entry : slot.set(entry, howOf(entry) === HOWS[0] ? HOWS[1] : HOWS[0]);
+}
+
 /** An entry of which nothing is said yet; what lies how to a direction is kept from the one before. */
 export function begun(tool: Tool, before: Entry = {}): Entry {
   const how = tool === "line" || tool === "lay_off" ? { along: along(howOf(before)) } : {};

@@ -2696,9 +2696,13 @@ export interface SceneFigure {
    */
   centers?: SceneCenters;
   /**
-   * Points of links whose velocities that panel shows, found by centres from the one driven link.
+   * Points of links whose velocities that panel shows, found by centres from the one drive.
    */
   velocities?: string[];
+  /**
+   * Points of links for whose paths that panel shows the centres of curvature, by Bobillier's construction.
+   */
+  curvature?: string[];
   /**
    * Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a
    * photograph of them is read; left out: true.
@@ -2714,24 +2718,28 @@ export const SHEETS = [
     "key": "scheme",
     "scale": "mu_l",
     "isPlan": false,
+    "isUsual": true,
     "vector": ""
   },
   {
     "key": "velocity",
     "scale": "mu_v",
     "isPlan": true,
+    "isUsual": true,
     "vector": "v"
   },
   {
     "key": "acceleration",
     "scale": "mu_a",
     "isPlan": true,
+    "isUsual": true,
     "vector": "a"
   },
   {
     "key": "centers",
     "scale": "mu_c",
     "isPlan": false,
+    "isUsual": false,
     "vector": ""
   },
   {

@@ -5,6 +5,9 @@ import { called } from "../../sheets.ts";
 import { figure, LANGUAGES } from "../../sentences.ts";
 import { say } from "./words.ts";
 
+/** The panels of a figure that does not say which. */
+const USUAL = SHEETS.filter(({ isUsual }) => isUsual).map(({ key }) => key);
+
 function choice(key: string, label: string, options: ChoiceField["options"], open = true): Field {
   return { kind: "choice", path: ["figure", key], label, open, options };
 }
@@ -59,7 +62,7 @@ export function shown(): Group {
     id: "shown",
     title: say("shown"),
     rows: [
-      { fields: [{ kind: "checks", path: ["figure", "panels"], label: say("panels"), quiet: true, options: panels, usual: panels.map(({ value }) => value), needed: true }] },
+      { fields: [{ kind: "checks", path: ["figure", "panels"], label: say("panels"), quiet: true, options: panels, usual: USUAL, needed: true }] },
       { fields: [choice("focus", say("focus"), [{ text: say("none") }, ...panels], false)] },
     ],
   };

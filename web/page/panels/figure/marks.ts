@@ -1,4 +1,4 @@
-import type { Group, Row } from "../parts/form.ts";
+import type { ChoiceField, Group, Row } from "../parts/form.ts";
 import { allPoints, at, entries, linksOf, names, type Draft } from "../parts/scene.ts";
 import { say } from "./words.ts";
 
@@ -13,6 +13,39 @@ export function paths(scene: Draft, traceable: string[]): Group {
   ];
   const isMovable = options.length > 0 || at(scene, ["figure", "ghosts"]) !== undefined;
   return isMovable ? { id: "paths", title: say("paths"), rows: trace } : { id: "paths", title: say("paths"), help: say("no_trace") };
+}
+
+/** Instant centres and what is drawn by them: the figure of centres, and curves on the scheme. */
+export function centers(scene: Draft, traceable: string[]): Group {
+  const checks = (key: string, label: string, all: string[]): Row => ({
+    fields: [{ kind: "checks", path: ["figure", key], label, options: [...new Set([...all, ...names(at(scene, ["figure", key]))])].map((value) => ({ value, text: value })) }],
+  });
+  const links = linksOf(scene);
+  const wanted = at(scene, ["figure", "centers"]);
+  const named = Array.isArray(wanted) && wanted.length > 0 ? wanted : links.slice(0, 1).map((link) => `P(${link},ground)`);
+  const amounts: ChoiceField["options"] = [{ text: say("usual_centers") }, { value: "all", text: say("all_centers") }, { value: named, any: "list", text: say("these_centers") }];
+  const isShown = names(at(scene, ["figure", "panels"])).includes("centers");
+  const ofFigure: Row[] = [
+    { fields: [{ kind: "choice", path: ["figure", "centers"], label: say("wanted_centers"), open: true, options: amounts }] },
+    ...(Array.isArray(wanted) ? [checks("centers", say("these_centers"), centersOf(links))] : []),
+    checks("velocities", say("velocities"), traceable),
+    checks("curvature", say("curvature"), traceable),
+  ];
+  return {
+    id: "centers",
+    title: say("centers"),
+    ...(isShown ? {} : { help: say("centers_help") }),
+    rows: [...(isShown ? ofFigure : []), ...(traceable.length > 0 ? [checks("centrodes", say("centrodes"), links)] : []), checks("inflection", say("inflection"), links)],
+  };
+}
+
+/** Most links of which all pairs are offered; of more those with the frame. */
+const FEW = 8;
+
+/** The centres of links, those with the frame first. */
+function centersOf(links: string[]): string[] {
+  const pairs = links.flatMap((a, index) => links.slice(index + 1).map((b) => `P(${a},${b})`));
+  return [...links.map((link) => `P(${link},ground)`), ...(links.length <= FEW ? pairs : [])];
 }
 
 /** Texts in place of names. */

@@ -2,10 +2,10 @@ import type { App, Panel } from "../../app.ts";
 import { element } from "../../dom/element.ts";
 import { signal, type Signal } from "../../state/signal.ts";
 import { edit } from "../parts/edits.ts";
-import type { Form } from "../parts/form.ts";
+import type { Form, Group } from "../parts/form.ts";
 import { keepForm } from "../parts/sheet.ts";
 import { contents, look, page, shown } from "./look.ts";
-import { labels, paths } from "./marks.ts";
+import { centers, labels, paths } from "./marks.ts";
 import { scales, type Scales } from "./scales.ts";
 import type { Draft } from "../parts/scene.ts";
 import { say } from "./words.ts";
@@ -18,8 +18,12 @@ export const figure: Panel = {
     const present = presentScales(app);
     const form = element("div", {});
     root.append(form);
+    const ofMotion = (scene: Draft): Group[] => {
+      const traceable = app.solved.value.opened?.traceable ?? [];
+      return [paths(scene, traceable), centers(scene, traceable)];
+    };
     const describe = (scene: Draft): Form => ({
-      groups: [look(scene), shown(), scales(scene, present.value), page(scene), contents(), paths(scene, app.solved.value.opened?.traceable ?? []), labels(scene)],
+      groups: [look(scene), shown(), scales(scene, present.value), page(scene), contents(), ...ofMotion(scene), labels(scene)],
     });
     const { again } = keepForm(form, app, { describe, asked: ({ with: [name] }) => void edit(app, [{ set: ["figure", "labels", name ?? ""], value: name }]) });
     present.on(again);
