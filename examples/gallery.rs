@@ -241,8 +241,8 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 30] = [
     (
         "lever",
         "tests/forces/figure-2.json",
-        "draw scene.json --panels scheme,lever",
-        "Zhukovsky's lever: the velocity plan turned by 90°, each force at the image of its point.",
+        "draw scene.json",
+        "With the panels scheme and lever: the velocity plan turned by 90°, each force at the image of its point.",
         Kind::Figure(|figure| figure.panels = vec![Sheet::Scheme, Sheet::Lever]),
     ),
     (
