@@ -94,7 +94,7 @@ impl Over {
         let value = value.clamp(lines[0][0], lines[lines.len() - 1][0]);
         let pieces = || lines.windows(2).map(|pair| [pair[0], pair[1]]);
         let is_before = |[from, to]: &[[f64; 2]; 2]| from[0] <= value && from[0] < to[0];
-        let [from, to] = pieces().filter(is_before).last().unwrap_or([lines[0]; 2]);
+        let [from, to] = pieces().rfind(is_before).unwrap_or([lines[0]; 2]);
         if from[0] == to[0] {
             return from[1].into();
         }

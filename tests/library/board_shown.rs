@@ -195,7 +195,8 @@ fn motions_of_the_ground_are_not_asked_for_and_minus_signs_are_signs() {
     let omega = board.given.iter().find(|number| number.name == "omega(1)").expect("it is given");
     assert_eq!(omega.value, "−1");
     let words = |did: Value| shown(&screen(&read("templates/four-bar.json")), "all", &did).did[0].words.clone();
-    let laid = json!([{ "lay_off": "b", "on": "velocity", "from": "p", "size": "-(2-L(A,B))", "along": { "angle": -30 } }]);
+    let laid =
+        json!([{ "lay_off": "b", "on": "velocity", "from": "p", "size": "-(2-L(A,B))", "along": { "angle": -30 } }]);
     assert!(words(laid).starts_with("b: −(2−L(A,B)) laid off from p, at −30°"));
     assert_eq!(words(json!([{ "compute": "x", "value": -8 }])), "x = −8, typed: −8");
 }
