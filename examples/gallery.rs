@@ -112,7 +112,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 29] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 30] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -233,10 +233,17 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 29] = [
     ),
     (
         "forces",
-        "examples/figure-2-forces.json",
+        "tests/forces/figure-2.json",
         "draw scene.json",
-        "What the joints carry: Ritter's moment and the polygons of the paper's group under loads, and Zhukovsky's lever.",
+        "What the joints of the paper's group carry under loads: Ritter's moment on a drag link, then polygon by polygon.",
         Kind::Figure(|_| ()),
+    ),
+    (
+        "lever",
+        "tests/forces/figure-2.json",
+        "draw scene.json",
+        "With the panels scheme and lever: the velocity plan turned by 90°, each force at the image of its point.",
+        Kind::Figure(|figure| figure.panels = vec![Sheet::Scheme, Sheet::Lever]),
     ),
     (
         "step",

@@ -149,7 +149,12 @@ impl<'j> Bench<'j> {
             true => self.made_with_right_numbers(entry, false).into_iter().next(),
             false => None,
         };
-        let is_sure = is_sure || recognised.as_ref().is_some_and(|made| self.is_known(entry, made));
+        let in_scene = match &recognised {
+            Some(made) => Some(made.clone()),
+            None if is_typed => self.right[0].carry_out(entry).ok().filter(|made| matches!(made, Made::Place(..))),
+            None => None,
+        };
+        let is_sure = is_sure || in_scene.is_some_and(|made| self.is_known(entry, &made));
         for table in &mut self.right {
             let alone = recognised.take().map_or_else(|| table.carry_out(entry), Ok).unwrap_or_else(|_| made.clone());
             let right = match alone {

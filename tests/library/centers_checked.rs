@@ -1,6 +1,11 @@
 //! Forms with instant centres: what they ask for, that independent digits are right there, and that other forms are as they were.
 
 use kinegon::check::{AnswerKey, Measured, Verdict, check, form_names};
+use kinegon::construction::{CenterOrigin, Spot};
+use kinegon::drawing::markers::SheetCode;
+use kinegon::drawing::{Pen, Point};
+use kinegon::exercise::Exercises;
+use kinegon::geometry::Place;
 use kinegon::{Scales, Sheet, Solution};
 use serde_json::{Value, json};
 use support::files;
@@ -99,4 +104,85 @@ fn a_form_of_centres_needs_the_scale_of_their_sheet_alone() {
     assert_eq!(scales.given().map(|(sheet, _)| sheet).collect::<Vec<_>>(), [Sheet::Centers]);
     let checked = check(&form(&json!({ "P(1,3).y": "0.0" })), &AnswerKey::new(&solution, None)).expect("a form");
     assert_eq!(checked.values.len(), 1);
+}
+
+/// All centres of four-bars, slider-cranks and slotted levers, one of a six-bar, and by velocities that of a class IV group.
+fn exercised() -> [(&'static str, Value); 5] {
+    let panels = json!(["scheme", "centers"]);
+    [
+        ("four-bar", json!({ "panels": panels, "velocities": ["C"] })),
+        ("slider-crank", json!({ "panels": panels, "velocities": ["C"] })),
+        ("slotted-lever", json!({ "panels": panels })),
+        ("stephenson-3", json!({ "panels": panels, "centers": ["P(1,5)"] })),
+        ("fourth-class", json!({ "panels": panels, "centers": ["P(1,4)"], "velocities": ["F"] })),
+    ]
+}
+
+#[test]
+fn exercises_have_centres_that_a_hand_draws_well() {
+    for (kind, figure) in exercised() {
+        let base = with_figure(kind, figure);
+        let mut exercises = Exercises::new(&base, None, 5).expect("it can vary");
+        let exercise = exercises.next().unwrap_or_else(|error| panic!("{kind}: {error}"));
+        let mu = exercise.scales[Sheet::Centers].expect("a scale");
+        let solution = solved(&exercise.text).expect("an exercise can be solved");
+        assert_eq!(solution.scene.figure.mu, exercise.scales, "{kind}: the file says its scales");
+        let centers = solution.construction.centers.as_deref().expect("centres");
+        let mut places = Vec::new();
+        for center in &centers.all {
+            if let CenterOrigin::Lines { sine, .. } = center.origin
+                && matches!(center.place, Place::At(_))
+            {
+                // The sine of 20°.
+                assert!(sine >= 0.342, "{kind}: {} crosses at {sine}", center.name);
+            }
+            if let (Spot::At(id), Place::At(place)) = (center.spot, center.place) {
+                places.push((id, place));
+            }
+        }
+        for (index, (id, place)) in places.iter().enumerate() {
+            let others = places[index + 1..].iter().filter(|(other, _)| other != id);
+            for (_, other) in others {
+                assert!((place - other).norm() >= 6.0 * mu, "{kind}: two centres within 6 mm");
+            }
+        }
+        let key = exercise.key();
+        for (name, value) in &key.values {
+            let allowed = value.allowed.unwrap_or_else(|| panic!("{kind}: {name} has no band"));
+            assert!(!name.starts_with("P(") || allowed <= 4.0 * mu, "{kind}: {name} ± {allowed}");
+            assert!(!name.starts_with("L(") || value.value >= 15.0 * mu, "{kind}: {name} is short");
+        }
+    }
+}
+
+/// A photograph of the sheet is read by what its code says.
+#[test]
+fn the_sheet_of_an_exercise_has_the_mechanism_at_the_scale_of_the_centres() {
+    let base = with_figure("four-bar", json!({ "panels": ["scheme", "centers"], "velocities": ["C"] }));
+    let exercise = Exercises::new(&base, None, 7).expect("it can vary").next().expect("an exercise");
+    let sheets = exercise.sheets("centres-7-1");
+    let sheet = &sheets[1];
+    let code = sheet.code.as_ref().expect("markers and a code");
+    let read = SheetCode::read(&code.text()).expect("a code");
+    let [panel] = read.panels.as_slice() else { panic!("one panel") };
+    assert_eq!((panel.panel, Some(panel.mu)), (Sheet::Centers, exercise.scales[Sheet::Centers]));
+    let joints: Vec<_> =
+        sheet.marks.iter().filter(|mark| mark.pen == Pen::Joint).map(|mark| mark.shape.bounds().center()).collect();
+    for place in &exercise.solution.pose.points {
+        let [x, y] = panel.at([place.x, place.y]);
+        assert!(
+            joints.iter().any(|joint| (*joint - Point::new(x, y)).hypot() < 0.01),
+            "a joint stands where the code says"
+        );
+    }
+}
+
+#[test]
+fn a_figure_with_a_plan_beside_its_centres_makes_exercises_of_both() {
+    let base = with_figure("four-bar", json!({ "panels": ["scheme", "velocity", "centers"] }));
+    let exercise = Exercises::new(&base, None, 3).expect("it can vary").next().expect("an exercise");
+    let names: Vec<String> = exercise.key().values.keys().cloned().collect();
+    for name in ["vplan(d,c)", "omega(3)", "P(1,3).x"] {
+        assert!(names.iter().any(|own| own == name), "{name} in {names:?}");
+    }
 }

@@ -297,7 +297,8 @@ class Sheet:
                     raise Stuck
             else:
                 at = point(self.off(place(at)))
-        if self.mistake and not is_far(at):
+        # He would see that a new centre is an old one; in the pin of a block he seeks it.
+        if self.mistake not in (None, "centre-at-slider") and not is_far(at):
             marked = list(self.at.values()) + [place(p) for p in self.known.values() if not is_far(p)]
             if any(distance(place(at), other) < 5 for other in marked):
                 raise Stuck

@@ -1,6 +1,6 @@
 //! Mistakes with instant centres: lines through the wrong places, wrong crossings, wrong distances, velocities.
 
-use super::rays::sides;
+use super::rays::{measured_there, sides};
 use super::site::{Candidate, Reinterpretation, Site, instead, times};
 use super::told::{Blank, Told, tell};
 use crate::construction::{
@@ -8,7 +8,7 @@ use crate::construction::{
     OperationKind, OperationRole, PlaceId, Spot,
 };
 use crate::geometry::{Vector, cross, quarter_turn, unit};
-use crate::mechanism::SliderId;
+use crate::mechanism::{GROUND, SliderId};
 use crate::sheet::Sheet;
 use std::collections::BTreeSet;
 
@@ -201,7 +201,8 @@ fn with_one_line(drawn: &Drawn<'_>, crossing: &Crossing) -> Vec<Candidate> {
             let taken = [lines[1 - side], wrong];
             if drawn.meeting(taken).is_some_and(|at| drawn.is_free(at, operation)) {
                 let told = tell::line_without_common_link(drawn.center(id), drawn.line(wrong), drawn.line(lines[side]));
-                all.push(drawn.site.candidate(told, instead(operation, OperationKind::Cross { place, lines: taken })));
+                let edit = instead(operation, OperationKind::Cross { place, lines: taken });
+                all.push(measured_there(drawn.site, drawn.site.candidate(told, edit), place));
             }
         }
     }
@@ -224,10 +225,14 @@ fn swapped(drawn: &Drawn<'_>, [first, second]: [&Crossing; 2]) -> Vec<Candidate>
     if second.lines.iter().all(|line| before.contains(&line.0)) {
         let earlier = taken(first, second.lines);
         let both = vec![earlier.clone(), later.clone()];
-        all.extend(drawn.together(tell::centers_swapped(a.clone(), b.clone()), both));
-        all.push(drawn.site.candidate(tell::center_of_other_lines(a.clone(), b.clone()), earlier));
+        let both = drawn.together(tell::centers_swapped(a.clone(), b.clone()), both);
+        let measured = |both| measured_there(drawn.site, measured_there(drawn.site, both, first.place), second.place);
+        all.extend(both.map(measured));
+        let alone = drawn.site.candidate(tell::center_of_other_lines(a.clone(), b.clone()), earlier);
+        all.push(measured_there(drawn.site, alone, first.place));
     }
-    all.push(drawn.site.candidate(tell::center_of_other_lines(b, a), later));
+    let alone = drawn.site.candidate(tell::center_of_other_lines(b, a), later);
+    all.push(measured_there(drawn.site, alone, second.place));
     all
 }
 
@@ -252,7 +257,8 @@ pub(super) fn not_extended(site: &Site<'_>) -> Vec<Candidate> {
                 let Some(at) = within(pairs.map(|pair| pair.map(|end| drawn.at(end)))) else { continue };
                 if drawn.is_free(at, operation) {
                     let told = tell::not_extended(drawn.center(id), drawn.line(lines[0]), drawn.line(lines[1]));
-                    all.push(site.candidate(told, instead(operation, OperationKind::Plot { place, at })));
+                    let edit = instead(operation, OperationKind::Plot { place, at });
+                    all.push(measured_there(site, site.candidate(told, edit), place));
                 }
             }
         }
@@ -313,7 +319,7 @@ fn wrong_places(drawn: &Drawn<'_>, id: CenterId) -> Vec<Vector> {
         drawn.crossings.iter().find(|crossing| crossing.lines.iter().any(|line| used.iter().any(|u| u.1 == *line)));
     let before = drawn.lines_before(first.map_or(operations, |crossing| crossing.operation));
     let lines = before.map(|line| drawn.site.model.exact.line(line));
-    let lines: Vec<_> = lines.chain(sides(drawn.site).into_iter().map(|(_, side)| side)).collect();
+    let lines: Vec<_> = lines.chain(sides(drawn.site).into_iter().map(|(_, side)| side)).chain(frame(drawn)).collect();
     let mut found: Vec<Vector> = Vec::new();
     for (index, &a) in lines.iter().enumerate() {
         for &b in &lines[index + 1..] {
@@ -326,6 +332,15 @@ fn wrong_places(drawn: &Drawn<'_>, id: CenterId) -> Vec<Vector> {
         }
     }
     found
+}
+
+/// The lines through two pins of the frame.
+fn frame(drawn: &Drawn<'_>) -> Vec<(Vector, Vector)> {
+    let solution = drawn.site.key.solution;
+    let pins = &solution.mechanism.body(GROUND).points;
+    let place = |point| solution.pose.point(point) - drawn.site.model.construction.origin;
+    let pairs = pins.iter().enumerate().flat_map(|(index, &a)| pins[index + 1..].iter().map(move |&b| (a, b)));
+    pairs.filter_map(|(a, b)| Some((place(a), unit(place(b) - place(a))?))).collect()
 }
 
 /// The lines through a centre drawn through another place.

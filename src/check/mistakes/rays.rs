@@ -172,7 +172,7 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
 }
 
 /// A candidate that puts a point beside the lines along which distances to it are measured: these are distances then.
-fn measured_there(site: &Site<'_>, mut candidate: Candidate, place: PlaceId) -> Candidate {
+pub(super) fn measured_there(site: &Site<'_>, mut candidate: Candidate, place: PlaceId) -> Candidate {
     let drawn = site.model.replay(&candidate.edits);
     for (index, operation) in site.operations() {
         let OperationKind::Measure { number, from, to, how: MeasuredAs::Along(line) } = operation.kind else {
