@@ -1,4 +1,4 @@
-//! On the drawing board: the calculator asks for the sense of a rate and is written by presses alone; points that lie close together are asked for; the
+//! On the drawing board: the calculator asks for the sense of a rate and is written by presses alone; points that lie close together and directions that meet are asked for; the
 //! drawings of a class lie beside it.
 
 use super::bench::Bench;
@@ -63,6 +63,33 @@ fn points_that_lie_close_together_are_asked_for() {
     bench.click("#board .chips [data-name=h1]");
     bench.settle();
     assert_eq!(bench.text("document.querySelector('#board [data-blank=from]').value"), "h1");
+    bench.assert_quiet();
+}
+
+#[test]
+fn directions_that_meet_are_asked_for() {
+    let Some(mut bench) = opened("board-directions") else { return };
+    bench.click("#board [data-tool=line]");
+    bench.settle();
+    let joint = at(&mut bench, "scheme", "B");
+    let [x, y] = on_screen(&mut bench, "scheme", joint);
+    bench.take_hold([x, y]);
+    bench.let_go([x, y]);
+    bench.settle();
+    let offered = chips(&mut bench);
+    let mut names: Vec<&str> = offered.as_array().expect("a list").iter().filter_map(Value::as_str).collect();
+    names.sort_unstable();
+    assert_eq!(names, ["link 1", "link 2"]);
+    bench.click("#board .chips [data-name='link 2']");
+    bench.settle();
+    assert_eq!(bench.text("document.querySelector('#board [data-blank=reference]').value"), "2");
+    // The square is turned by a press.
+    let how = "document.querySelector('#board [data-blank=how]').value";
+    assert_eq!(bench.text(how), "normal");
+    bench.click("#board [data-turn=quarter]");
+    bench.settle();
+    assert_eq!(bench.text(how), "parallel");
+    assert_eq!(bench.text("document.querySelector('#board [data-blank=reference]').value"), "2");
     bench.assert_quiet();
 }
 
