@@ -9,8 +9,8 @@ use kinegon::drawing::{Drawing, Overlay, curves, hodographs, overlay, paths};
 use kinegon::exercise::Exercises;
 use kinegon::format::{Text, structure, svg_with};
 use kinegon::scene::{
-    CoriolisName, DecimalMark, Figure, FrameName, LanguageName, LengthUnit, NotationName, Page, PageSize, ScalesFor,
-    Scene, SlidingName, StyleName, TurnedName, ValuesShown,
+    CentersShown, CoriolisName, DecimalMark, Figure, FrameName, LanguageName, LengthUnit, NotationName, Page, PageSize,
+    ScalesFor, Scene, SlidingName, StyleName, TurnedName, ValuesShown,
 };
 use kinegon::{PerSheet, Scales, Sheet};
 use std::error::Error;
@@ -112,7 +112,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 30] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 32] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -290,6 +290,26 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 30] = [
         "curves scene.json --path \"F, E\"",
         "Paths as charts, y over x at one scale, marked every 30° of the crank.",
         Kind::Paths(&["F", "E"]),
+    ),
+    (
+        "centers",
+        "examples/figure-2.json",
+        "draw scene.json --centers=all",
+        "All instant centres by Kennedy's lines, in the order of the circle diagram; far ones at arrows.",
+        Kind::Figure(|figure| {
+            figure.panels = vec![Sheet::Scheme, Sheet::Centers];
+            figure.centers = CentersShown::All;
+        }),
+    ),
+    (
+        "curvature",
+        "tests/worked/SC01-khurmi-7.2/scene.json",
+        "draw scene.json --centers=\"P(2,ground)\" --curvature E",
+        "The centre of curvature of a coupler point's path by Bobillier's construction: no length is measured.",
+        Kind::Figure(|figure| {
+            figure.panels = vec![Sheet::Scheme, Sheet::Centers];
+            (figure.centers, figure.curvature) = (CentersShown::Named(owned(&["P(2,ground)"])), owned(&["E"]));
+        }),
     ),
     (
         "exercise",

@@ -2,7 +2,7 @@
 
 use super::constructed::{Construction, Extent};
 use super::cut::{Special, SpecialId, special_points};
-use super::kennedy::missing_of_centers;
+use super::kennedy::{MOST_LINKS, missing_of_centers};
 use super::leg::DrawnSpecial;
 use super::lever::levers;
 use super::markup::{no_construction, plain_text};
@@ -133,9 +133,12 @@ fn with_centers(
     const FEW: usize = 4;
     let all = LinkPair::all(mechanism);
     let wanted = match &figure.centers {
-        CentersShown::All => all,
+        // Of more links no lines are sought.
+        CentersShown::All if mechanism.links().count() < MOST_LINKS => all,
         CentersShown::Usual if mechanism.links().count() < FEW => all,
-        CentersShown::Usual => all.into_iter().filter(|pair| pair.other(GROUND).is_some()).collect(),
+        CentersShown::All | CentersShown::Usual => {
+            all.into_iter().filter(|pair| pair.other(GROUND).is_some()).collect()
+        }
         CentersShown::Named(names) => names.iter().filter_map(|name| LinkPair::named(name, mechanism)).collect(),
     };
     let points = |names: &[String]| -> Vec<PointId> { names.iter().filter_map(|name| mechanism.point(name)).collect() };

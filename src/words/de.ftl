@@ -169,6 +169,7 @@ no_inflection_circle = Glied {$link} dreht sich um einen festen Punkt oder gar n
 no_centers = {$centers}: Die Glieder ruhen gegeneinander und haben hier keinen Momentanpol.
 no_velocities_by_centers = Geschwindigkeit von {$points} über Pole: nicht gefunden. Dazu gehören ein einziger Antrieb, der sich bewegt, und Pole vom Glied des Punktes, die nicht zusammenfallen.
 no_curvatures = Krümmung der Bahn von {$points}: nicht gefunden. Dazu gehören zwei Gelenke des Gliedes an Kurbeln oder an Gleitsteinen im Gestell, und ein Pol des Gliedes, der nicht fest ist.
+too_many_for_lines = Geraden zu Momentanpolen werden in Mechanismen mit höchstens {$most} Gliedern gesucht: diese Pole kommen aus den berechneten Geschwindigkeiten.
 radius_of_curvature = Krümmungsradius der Bahn von {$point}: {$radius}.
 no_radius_of_curvature = Die Bahn von {$point} hat einen Wendepunkt.
 paths_beyond = Gestrichelt: jenseits der Grenzen des Antriebs.

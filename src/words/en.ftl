@@ -182,6 +182,7 @@ no_inflection_circle = Link {$link} turns about a fixed point or does not turn: 
 no_centers = {$centers}: the links rest on one another, so that they have no instant centre here.
 no_velocities_by_centers = Velocity of {$points} by centres: not found. It takes one drive that moves, and centres of the point's link that do not coincide.
 no_curvatures = Curvature of the path of {$points}: not found. It takes two pins of the link on cranks or on blocks in the frame, and a centre of the link that is not fixed.
+too_many_for_lines = Lines to instant centres are sought in mechanisms of at most {$most} links: these centres come from the computed rates.
 radius_of_curvature = Radius of curvature of the path of {$point}: {$radius}.
 no_radius_of_curvature = The path of {$point} has an inflection.
 paths_beyond = Dashed: beyond the limits of the drive.

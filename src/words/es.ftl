@@ -167,6 +167,7 @@ no_inflection_circle = El eslabón {$link} gira alrededor de un punto fijo o no 
 no_centers = {$centers}: los eslabones están en reposo relativo, así que aquí no tienen centro instantáneo.
 no_velocities_by_centers = Velocidad de {$points} por centros: no se encuentra. Hacen falta un solo accionamiento que se mueva y centros del eslabón del punto que no coincidan.
 no_curvatures = Curvatura de la trayectoria de {$points}: no se encuentra. Hacen falta dos pasadores del eslabón en manivelas o en correderas de la bancada, y un centro del eslabón que no sea fijo.
+too_many_for_lines = Las rectas hacia centros instantáneos se buscan en mecanismos de {$most} eslabones como máximo: estos centros vienen de las velocidades calculadas.
 radius_of_curvature = Radio de curvatura de la trayectoria de {$point}: {$radius}.
 no_radius_of_curvature = La trayectoria de {$point} tiene una inflexión.
 paths_beyond = A trazos: más allá de los límites del movimiento motriz.

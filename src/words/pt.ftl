@@ -169,6 +169,7 @@ no_inflection_circle = O elo {$link} gira em torno de um ponto fixo ou não gira
 no_centers = {$centers}: os elos estão em repouso relativo e não têm centro instantâneo aqui.
 no_velocities_by_centers = Velocidade de {$points} por centros: não encontrada. São precisos um só acionamento que se mova e centros do elo do ponto que não coincidam.
 no_curvatures = Curvatura da trajetória de {$points}: não encontrada. São precisos dois pinos do elo em manivelas ou em blocos no quadro, e um centro do elo que não seja fixo.
+too_many_for_lines = As retas até centros instantâneos procuram-se em mecanismos de no máximo {$most} elos: estes centros vêm das velocidades calculadas.
 radius_of_curvature = Raio de curvatura da trajetória de {$point}: {$radius}.
 no_radius_of_curvature = A trajetória de {$point} tem uma inflexão.
 paths_beyond = Tracejado: além dos limites do acionamento.

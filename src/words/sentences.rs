@@ -211,6 +211,7 @@ sentences! {
     no_centers(centers);
     no_velocities_by_centers(points);
     no_curvatures(points);
+    too_many_for_lines(most);
     radius_of_curvature(point, radius);
     no_radius_of_curvature(point);
     /// At another assembly mode.

@@ -211,3 +211,31 @@ fn what_does_not_follow_is_left_out() {
     boom["sliders"][0]["drive"]["speed"] = json!(0);
     assert!(centers(&asked(&boom)).velocities.is_empty());
 }
+
+/// Of many links no lines are sought, which would take minutes; their centres come from the rates, and it is said.
+#[test]
+fn of_many_links_no_lines_are_sought() {
+    let mut links = serde_json::Map::new();
+    let (mut ground, mut near) = (json!({ "A": [0, 0] }), json!({}));
+    links.insert(
+        "1".into(),
+        json!({ "points": ["A", "B0"], "lengths": { "AB0": 70 }, "drive": { "angle": 70, "omega": 1 } }),
+    );
+    for dyad in 0..25 {
+        let (from, to, pivot) = (format!("B{dyad}"), format!("B{}", dyad + 1), format!("D{dyad}"));
+        let x = 120 * (dyad + 1);
+        ground[&pivot] = json!([x, 0]);
+        near[&to] = json!([x + 24, 66]);
+        let [coupler, rocker] = [format!("{from}{to}"), format!("{pivot}{to}")];
+        links.insert(format!("c{dyad}"), json!({ "points": [from, to], "lengths": { coupler: 120 } }));
+        links.insert(format!("r{dyad}"), json!({ "points": [pivot, to], "lengths": { rocker: 70 } }));
+    }
+    let scene = json!({
+        "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": ground, "links": links, "near": near,
+        "figure": { "panels": ["centers"], "centers": "all" },
+    });
+    let solution = solved(&scene.to_string()).expect("a solution");
+    assert!(centers(&solution).is_too_large);
+    assert!(centers(&solution).all.iter().all(|center| center.is_permanent()));
+    assert!(solution.warnings().any(|warning| warning.contains("at most 41 links")));
+}

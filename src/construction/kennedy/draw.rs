@@ -45,7 +45,11 @@ impl Writer<'_> {
         let needed =
             wanted.iter().copied().chain(velocities.iter().flat_map(|velocity| velocity.needs())).chain(of_curved);
         let numbers: Vec<Two> = needed.filter_map(two_of).collect();
-        for way in ways(&permanent, &mut places, &numbers, has_one_freedom(self.mechanism)) {
+        let is_too_large = links.len() > MOST_LINKS;
+        self.drawn_centers().is_too_large = is_too_large;
+        let leaves_out = has_one_freedom(self.mechanism);
+        let ways = if is_too_large { Vec::new() } else { ways(&permanent, &mut places, &numbers, leaves_out) };
+        for way in ways {
             match way {
                 Way::Crossed(crossed) => self.crossed_center(&links, crossed, FigureOf::Mechanism),
                 Way::LeftOut(left_out) => self.center_without_link(&links, &left_out),
@@ -291,6 +295,9 @@ impl Writer<'_> {
         (centers.agreement, centers.by_rates) = (agreement, by_rates);
     }
 }
+
+/// Most links, with the frame, of which lines are sought: the time grows with more than the fourth power of their number.
+pub const MOST_LINKS: usize = 42;
 
 /// The links that have centres: all bodies but those whose rotation is not defined.
 fn links(mechanism: &Mechanism) -> Vec<BodyId> {

@@ -13,6 +13,7 @@ mod told;
 mod velocity;
 
 pub use curvature::{Curvature, CurvatureStep, KnownRay, PoleTangent};
+pub use draw::MOST_LINKS;
 pub use symbol::missing_of_centers;
 pub use velocity::{CenterVelocity, Push};
 
@@ -43,6 +44,8 @@ pub struct Centers {
     pub velocities: Vec<CenterVelocity>,
     /// The points whose velocities were asked for and do not follow from centres.
     pub without_velocity: Vec<PointId>,
+    /// Whether it has more than [`MOST_LINKS`], of which no lines are sought.
+    pub is_too_large: bool,
     /// Pole tangents of links, from which centres of curvature follow.
     pub tangents: Vec<PoleTangent>,
     /// Centres of curvature of the paths of points.

@@ -1,6 +1,6 @@
 //! Symbols of instant centres in sentences, and what could not be found of the centres that were asked for.
 
-use super::{Centers, FigureOf};
+use super::{Centers, FigureOf, MOST_LINKS};
 use crate::centers::LinkPair;
 use crate::construction::markup::display;
 use crate::mechanism::{GROUND, Mechanism, PointId};
@@ -26,5 +26,6 @@ pub fn missing_of_centers(centers: &Centers, mechanism: &Mechanism, words: &Word
     let named = |points: &[PointId]| listed(points.iter().map(|point| display(mechanism.point_name(*point))).collect());
     let velocities = named(&centers.without_velocity).map(|points| words.language.no_velocities_by_centers(&points));
     let curvatures = named(&centers.without_curvature).map(|points| words.language.no_curvatures(&points));
-    resting.into_iter().chain(velocities).chain(curvatures).collect()
+    let too_large = centers.is_too_large.then(|| words.language.too_many_for_lines(&(MOST_LINKS - 1).to_string()));
+    too_large.into_iter().chain(resting).chain(velocities).chain(curvatures).collect()
 }

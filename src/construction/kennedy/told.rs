@@ -208,7 +208,9 @@ impl Teller<'_> {
                 format!("v_{{{point}}} = {product}").into()
             }
             Action::Curvature { index, step: CurvatureStep::Center } => {
-                let point = display(self.mechanism.point_name(centers.curvatures.get(*index)?.point));
+                let found = centers.curvatures.get(*index)?;
+                found.radius?;
+                let point = display(self.mechanism.point_name(found.point));
                 format!("ρ_{{{point}}} = {point} {}", under(&point, "0")).into()
             }
             _ => return None,

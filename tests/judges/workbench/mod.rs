@@ -10,6 +10,7 @@ mod build;
 mod build_hands;
 mod built;
 mod bytes;
+mod centers;
 mod course;
 mod documents;
 mod film;

@@ -2,7 +2,7 @@
 
 use super::bench::Bench;
 use super::hostile::row;
-use serde_json::json;
+use serde_json::{Value, json};
 use support::files;
 
 /// Notes when the first picture stands.
@@ -56,9 +56,14 @@ fn drag(bench: &mut Bench, joint: &str, radius: f64) -> [f64; 3] {
 fn the_picture_follows_the_hand() {
     let Some(mut bench) = Bench::open("drag") else { return };
     let jansen = files::read("tests/lecture/jansen.json");
-    for (name, text, joint) in
-        [("Figure 2", None, "B"), ("Jansen", Some(jansen), "B"), ("41 links", Some(row(20)), "B")]
-    {
+    let mut centers: Value = serde_json::from_str(&files::read("examples/figure-2.json")).expect("JSON");
+    centers["figure"] = json!({ "panels": ["scheme", "centers"], "centers": "all" });
+    for (name, text, joint) in [
+        ("Figure 2", None, "B"),
+        ("Figure 2 with all centres", Some(centers.to_string()), "B"),
+        ("Jansen", Some(jansen), "B"),
+        ("41 links", Some(row(20)), "B"),
+    ] {
         if let Some(text) = text {
             bench.put(&text);
         }
