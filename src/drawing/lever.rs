@@ -16,6 +16,8 @@ use kurbo::{Point, Vec2};
 
 /// Length of a force's arrow, in mm: forces have no scale here.
 const LENGTH: f64 = 10.0;
+/// Largest size of a lever with the feet of its arms over that without.
+const REACH: f64 = 1.5;
 /// So many arms at most are seen at once.
 const ARMS: usize = 8;
 /// Radius of the pole.
@@ -30,7 +32,14 @@ pub(super) fn extent(context: &SheetContext<'_>) -> Option<Extent> {
     let images = levers.iter().flat_map(|lever| lever.links.iter().flat_map(|(_, images)| images));
     let forces = levers.iter().flat_map(|lever| &lever.forces).map(|force| place(force.at));
     let places = images.map(|(_, at)| place(*at)).chain(levers.iter().map(|lever| place(lever.pole))).chain(forces);
-    (!levers.is_empty()).then(|| Extent::of(places))
+    let own = Extent::of(places);
+    // Arms that are seen at once reach to their feet, unless these would make the lever small.
+    let feet = levers.iter().filter(|lever| lever.forces.len() <= ARMS).flat_map(|lever| &lever.forces);
+    let whole = feet.map(|force| place(force.foot)).fold(own, |extent, foot| {
+        let larger = extent.with(foot);
+        if larger.size().norm() <= REACH * own.size().norm() { larger } else { extent }
+    });
+    (!levers.is_empty()).then_some(whole)
 }
 
 /// Draws the panel.

@@ -3,7 +3,7 @@
 use super::{Counted, Posed};
 use crate::geometry::{Ball, Pair, Solvable, degrees_of};
 use crate::mechanism::{BodyId, GROUND, Mechanism};
-use crate::scene::{Amount, Analysis, Gauge, GivenBy, LinkPlace, Load, Loads, Mass, On, Spring, SpringEnd, Units};
+use crate::scene::{Amount, Analysis, Gauge, GivenBy, LinkPlace, Load, Loads, Mass, On, Spring, SpringEnd};
 use std::marker::PhantomData;
 
 /// Where a load comes from.
@@ -50,16 +50,16 @@ impl<N: Solvable> Wrench<N> {
     }
 }
 
-/// All loads on bodies whose equilibrium counts, the frame among them for what springs do to it. `None` where a load changes over an
+/// All loads on bodies whose equilibrium counts; `factor` is the force that one unit of mass needs for one unit of acceleration; the frame among them for what springs do to it. `None` where a load changes over an
 /// angle or a position that there is not.
 pub(super) fn acting<N: Counted>(
     loads: &Loads,
-    units: Units,
+    factor: Ball,
     mechanism: &Mechanism,
     posed: &impl Posed<N>,
 ) -> Option<Vec<Acting<N>>> {
     let here = Here { mechanism, posed, numbers: PhantomData };
-    let factor = N::of_ball(units.force_of_mass_times_acceleration());
+    let factor = N::of_ball(factor);
     let gravity = Pair { x: posed.given(loads.gravity[0]), y: posed.given(loads.gravity[1]) };
     let mut all = Vec::new();
     for (link, mass) in &loads.masses {

@@ -99,8 +99,8 @@ pub(crate) fn forces(mechanism: &Mechanism, posed: &(impl Posed<Ball> + Places))
 
 /// The same from the equilibrium of the links alone, for one of many positions: its [`Forces::drives`] are empty.
 pub(crate) fn in_equilibrium<N: Counted>(mechanism: &Mechanism, posed: &impl Posed<N>) -> Option<Forces<N>> {
-    let (loads, units) = &**mechanism.loads.as_ref()?;
-    let acting = acting::acting(loads, *units, mechanism, posed)?;
+    let (loads, factor) = &**mechanism.loads.as_ref()?;
+    let acting = acting::acting(loads, *factor, mechanism, posed)?;
     equilibrium::carried(mechanism, posed, acting)
 }
 

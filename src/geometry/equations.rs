@@ -60,8 +60,8 @@ impl<N: Solvable> Equations<N> {
 impl Solvable for f64 {
     fn solved(equations: &Equations<f64>) -> Option<Vec<f64>> {
         let matrix = DMatrix::from_row_slice(equations.size, equations.size, &equations.coefficients);
-        let solution = LinearSystem::of_vectors(matrix, equations.vectors)?.solve(&equations.right);
-        solution.iter().all(|x| x.is_finite()).then(|| solution.to_vec())
+        let solution = LinearSystem::solved_once(matrix, equations.vectors, &equations.right)?;
+        solution.iter().all(|x| x.is_finite()).then_some(solution)
     }
 }
 

@@ -50,24 +50,19 @@ impl LinearSystem {
     /// As [`Self::new`], where the first rows are the components x and y of so many vectors.
     #[must_use]
     pub fn of_vectors(mut matrix: DMatrix<f64>, vectors: usize) -> Option<Self> {
-        let size = matrix.nrows();
-        let mut column_scale = DVector::repeat(size, 1.0);
-        for (mut column, scale) in matrix.column_iter_mut().zip(column_scale.iter_mut()) {
-            *scale = power_of_two_below_inverse(column.amax())?;
-            column *= *scale;
-        }
-        let mut row_scale = DVector::repeat(size, 1.0);
-        let most: Numbers = matrix.row_iter().map(|row| row.amax()).collect();
-        for (index, (mut row, scale)) in matrix.row_iter_mut().zip(row_scale.iter_mut()).enumerate() {
-            let other = if index < 2 * vectors { index ^ 1 } else { index };
-            *scale = power_of_two_below_inverse(most[index].max(most[other]))?;
-            row *= *scale;
-        }
+        let [column_scale, row_scale] = scale(&mut matrix, vectors)?;
         let scaled = rows_of(&matrix);
-        let factors = matrix.lu();
-        let pivots = factors.lu_internal().diagonal();
-        let regular = pivots.iter().all(|p| p.is_finite() && *p != 0.0);
-        regular.then_some(Self { scaled, factors, column_scale, row_scale, inverse: OnceLock::new() })
+        let factors = factored(matrix)?;
+        Some(Self { scaled, factors, column_scale, row_scale, inverse: OnceLock::new() })
+    }
+
+    /// The solution for one right side, of a system that is needed for no other and no bound.
+    #[must_use]
+    pub fn solved_once(mut matrix: DMatrix<f64>, vectors: usize, b: &[f64]) -> Option<Vec<f64>> {
+        let [column_scale, row_scale] = scale(&mut matrix, vectors)?;
+        let mut x = DVector::from_iterator(b.len(), b.iter().zip(&row_scale).map(|(b, scale)| b * scale));
+        factored(matrix)?.solve_mut(&mut x);
+        Some(x.iter().zip(&column_scale).map(|(x, scale)| x * scale).collect())
     }
 
     /// The solution for the right side `b`.
@@ -272,6 +267,31 @@ fn rows_of(matrix: &DMatrix<f64>) -> Elements {
 /// also where that is below the range of f64.
 fn upward(sum: f64) -> f64 {
     if sum == 0.0 { 0.0 } else { sum * UPWARD + f64::MIN_POSITIVE }
+}
+
+/// Scales columns, then rows, as [`LinearSystem`] says; their scales. `None` where a column or a row is zero, or not finite.
+fn scale(matrix: &mut DMatrix<f64>, vectors: usize) -> Option<[DVector<f64>; 2]> {
+    let size = matrix.nrows();
+    let mut column_scale = DVector::repeat(size, 1.0);
+    for (mut column, scale) in matrix.column_iter_mut().zip(column_scale.iter_mut()) {
+        *scale = power_of_two_below_inverse(column.amax())?;
+        column *= *scale;
+    }
+    let mut row_scale = DVector::repeat(size, 1.0);
+    let most: Numbers = matrix.row_iter().map(|row| row.amax()).collect();
+    for (index, (mut row, scale)) in matrix.row_iter_mut().zip(row_scale.iter_mut()).enumerate() {
+        let other = if index < 2 * vectors { index ^ 1 } else { index };
+        *scale = power_of_two_below_inverse(most[index].max(most[other]))?;
+        row *= *scale;
+    }
+    Some([column_scale, row_scale])
+}
+
+/// The factors of a matrix; `None` where it is exactly singular or an element is not finite.
+fn factored(matrix: DMatrix<f64>) -> Option<LU<f64, Dyn, Dyn>> {
+    let factors = matrix.lu();
+    let pivots = factors.lu_internal().diagonal();
+    pivots.iter().all(|p| p.is_finite() && *p != 0.0).then_some(factors)
 }
 
 /// The power of two 2^−e for `largest` in [2^e, 2^(e+1)); `None` for zero, subnormal or not finite.

@@ -240,7 +240,10 @@ fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError>
         given_by: scene.given_by,
         points: names.iter().map(|&name| name.clone()).collect(),
         given: names.iter().map(|name| given(name)).collect(),
-        loads: scene.loads.as_ref().map(|loads| Arc::new(((**loads).clone(), scene.units))),
+        loads: scene.loads.as_ref().map(|loads| {
+            let factor = scene.units.force_of_mass_times_acceleration();
+            Arc::new(((**loads).clone(), factor))
+        }),
         ..Mechanism::default()
     };
     let body = |name: &str, points: &[String], role: Role, local: Vec<Point>| Body {

@@ -31,9 +31,9 @@ pub use joint::{AngularConstraint, DrivenSlide, Guide, Joint, Mark, Slider};
 pub use loops::{AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate};
 
 use crate::Problem;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Ball, Point, Vector};
 use crate::message::Message;
-use crate::scene::{GivenBy, Loads, SceneError, Units};
+use crate::scene::{GivenBy, Loads, SceneError};
 use std::sync::Arc;
 
 /// Index of a named point in [`Mechanism::points`].
@@ -77,8 +77,9 @@ pub struct Mechanism {
     /// The links whose three lengths fit a triangle and its mirror image, so flat that rough places hardly tell which:
     /// the side that they are on was taken.
     pub doubtful_sides: Vec<BodyId>,
-    /// What loads its links, with the units; none of a scene without masses, forces and springs.
-    pub loads: Option<Arc<(Loads, Units)>>,
+    /// What loads its links, with the force that one unit of mass needs for one unit of acceleration; none of a scene without
+    /// masses, forces and springs.
+    pub loads: Option<Arc<(Loads, Ball)>>,
     /// Remarks for the author of the scene that do not stop the computation.
     pub warnings: Vec<Message>,
 }

@@ -94,7 +94,7 @@ impl Over {
         let value = value.clamp(lines[0][0], lines[lines.len() - 1][0]);
         let pieces = || lines.windows(2).map(|pair| [pair[0], pair[1]]);
         let is_before = |[from, to]: &[[f64; 2]; 2]| from[0] <= value && from[0] < to[0];
-        let [from, to] = pieces().filter(is_before).last().unwrap_or([lines[0]; 2]);
+        let [from, to] = pieces().rfind(is_before).unwrap_or([lines[0]; 2]);
         if from[0] == to[0] {
             return from[1].into();
         }
@@ -102,11 +102,11 @@ impl Over {
         let factor = Ball::from(from[1]) + (Ball::from(to[1]) - from[1].into()) * part;
         // What the factor changes by within the bound: along each piece that is near, and at each jump.
         let change = |[from, to]: [[f64; 2]; 2]| {
-            let (low, high) = ((value - off).max(from[0]), (value + off).min(to[0]));
+            let is_near = value - off <= to[0] && value + off >= from[0];
             match to[0] - from[0] {
-                _ if low > high => 0.0,
+                _ if !is_near => 0.0,
                 0.0 => (to[1] - from[1]).abs(),
-                length => (to[1] - from[1]).abs() * ((high - low) / length).min(1.0),
+                length => (to[1] - from[1]).abs() * (2.0 * off / length).min(1.0),
             }
         };
         let within: f64 = if off > 0.0 { pieces().map(change).sum() } else { 0.0 };

@@ -1,7 +1,7 @@
 //! One mechanism of a study by itself: in its position, with the values of its quantities there, and followed along its branch:
 //! exactly, with its limits, and slowly.
 
-use super::samples::{mean, unwrap};
+use super::samples::unwrap;
 use super::task::{Outcome, Status, Summary, Task, Wanted};
 use crate::cycle::{CertainExtreme, Curves, CycleError, Extreme, Path, Steps, Sweep};
 use crate::geometry::with_turns;
@@ -118,8 +118,8 @@ fn summarised(path: &Path, task: &Task, wanted: &Wanted, scene: Option<&Scene>) 
             (summary.errors[0], summary.errors[1]) = (max, min);
         }
         // What grows without bound has no mean that samples could tell.
-        if wanted.has_mean() && summary.max.is_some() && summary.min.is_some() {
-            summary.mean = mean(&sampled(path, Some(range.steps), wanted));
+        if wanted.has_sum() && summary.max.is_some() && summary.min.is_some() {
+            summary.sum(wanted, &sampled(path, Some(range.steps), wanted), range);
         }
     }
     summary

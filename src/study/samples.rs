@@ -5,6 +5,9 @@ use crate::geometry::with_turns;
 /// Newton steps for the vertex of a quartic; the parabola's is near.
 const STEPS: usize = 4;
 
+/// Halvings of a step in the search for a zero: a small part of it is nothing in an integral that is greatest there.
+const HALVINGS: usize = 30;
+
 /// The mean over the drive's values by the trapezoidal rule, which for a whole turn is exact but for the harmonics that the steps do not
 /// resolve.
 pub(super) fn mean(samples: &[f64]) -> Option<f64> {
@@ -13,6 +16,73 @@ pub(super) fn mean(samples: &[f64]) -> Option<f64> {
     };
     let sum: f64 = samples.iter().sum::<f64>() - 0.5 * (first + last);
     Some(sum / (samples.len() - 1) as f64).filter(|mean| mean.is_finite())
+}
+
+/// How far the integral of the samples less their mean goes up and down over the drive, `step` from one sample to the next: of a torque
+/// the work that a flywheel takes in and gives back (R. L. Norton, *Design of Machinery*, "flywheels"). Between two samples
+/// by the cubic through these and their neighbours; of a periodic quantity the last sample is the first one. `None` with
+/// fewer than four samples, or where one has no value.
+pub(super) fn fluctuation(samples: &[f64], step: f64, periodic: bool) -> Option<f64> {
+    let count = samples.len();
+    if count < 4 || samples.iter().any(|y| !y.is_finite()) {
+        return None;
+    }
+    let at = |sample: i64| samples[if periodic { sample.rem_euclid(count as i64 - 1) } else { sample } as usize];
+    let piece = |sample: i64| {
+        let last = count as i64 - 4;
+        let first = if periodic { sample - 1 } else { (sample - 1).clamp(0, last) };
+        Cubic { values: [0, 1, 2, 3].map(|k| at(first + k)), from: (first - sample) as f64 }
+    };
+    let pieces = || (0..count as i64 - 1).map(piece);
+    let mean = pieces().map(|cubic| cubic.integral(1.0)).sum::<f64>() / (count - 1) as f64;
+    let (mut sum, mut lowest, mut highest) = (0.0, 0.0_f64, 0.0_f64);
+    for cubic in pieces().map(|cubic| cubic.above(mean)) {
+        let [left, right] = [cubic.at(0.0), cubic.at(1.0)];
+        // It is greatest and least where the quantity is at its mean.
+        let turning = (left * right < 0.0).then(|| cubic.zero(left));
+        for part in turning.into_iter().chain([1.0]) {
+            let there = sum + cubic.integral(part);
+            (lowest, highest) = (lowest.min(there), highest.max(there));
+        }
+        sum += cubic.integral(1.0);
+    }
+    Some((highest - lowest) * step)
+}
+
+/// The cubic through four samples, one step apart from `from` on.
+struct Cubic {
+    values: [f64; 4],
+    from: f64,
+}
+
+impl Cubic {
+    fn above(self, mean: f64) -> Cubic {
+        Cubic { values: self.values.map(|y| y - mean), ..self }
+    }
+
+    /// By Newton's forward differences.
+    fn at(&self, t: f64) -> f64 {
+        let [a, b, c, d] = self.values;
+        let s = t - self.from;
+        let [first, second, third] = [b - a, c - 2.0 * b + a, d - 3.0 * c + 3.0 * b - a];
+        a + s * (first + (s - 1.0) / 2.0 * (second + (s - 2.0) / 3.0 * third))
+    }
+
+    /// From 0 to `end`, by Gauss's rule of two points, which is exact for cubics.
+    fn integral(&self, end: f64) -> f64 {
+        let off = 0.5 / 3.0_f64.sqrt();
+        0.5 * end * (self.at(end * (0.5 - off)) + self.at(end * (0.5 + off)))
+    }
+
+    /// A zero between 0, where it has the sign of `left`, and 1, where it has the other.
+    fn zero(&self, left: f64) -> f64 {
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if self.at(middle) * left > 0.0 { low = middle } else { high = middle }
+        }
+        0.5 * (low + high)
+    }
 }
 
 /// Adds whole turns to angles in degrees, so that they run on without jumps.

@@ -1,5 +1,6 @@
 //! What is asked of each mechanism of a study, and what becomes of it.
 
+use super::samples::{fluctuation, mean};
 use crate::cycle::{Drive, Steps};
 use crate::quantity::{QuantityKind, QuantityRequest};
 use schemars::JsonSchema;
@@ -31,6 +32,13 @@ pub(super) struct DriveRange {
 }
 
 impl DriveRange {
+    /// From one sample to the next: in radians, or in the scene's unit of length.
+    fn step(&self) -> f64 {
+        let steps = (self.steps.count() - 1).max(1) as f64;
+        let step = (self.to - self.from).abs() / steps;
+        if self.drive.is_angle { step.to_radians() } else { step }
+    }
+
     /// Its lowest and highest value.
     pub fn ends(&self) -> [f64; 2] {
         [self.from.min(self.to), self.from.max(self.to)]
@@ -51,8 +59,9 @@ impl Wanted {
         self.asked.kind() == QuantityKind::Angle
     }
 
-    pub fn has_mean(&self) -> bool {
-        self.figures.contains(&Figure::Mean)
+    /// Whether something is wanted of its samples together.
+    pub fn has_sum(&self) -> bool {
+        self.figures.iter().any(|figure| matches!(figure, Figure::Mean | Figure::Fluctuation))
     }
 
     /// Whether its greatest (`sign` 1) or least value is looked for.
@@ -77,6 +86,9 @@ pub enum Figure {
     Range,
     /// The mean over the drive's values.
     Mean,
+    /// How far the integral over the drive of what the quantity differs from its mean goes up and down: of a drive's torque the work
+    /// that a flywheel takes in and gives back. Radians for a drive that turns.
+    Fluctuation,
     /// The value at the scene's own position.
     AtScene,
 }
@@ -91,6 +103,7 @@ impl Figure {
             Figure::MaxAbs => "max_abs",
             Figure::Range => "range",
             Figure::Mean => "mean",
+            Figure::Fluctuation => "fluctuation",
             Figure::AtScene => "at_scene",
         }
     }
@@ -116,12 +129,23 @@ pub(super) struct Summary {
     /// The drive's value and the least value there.
     pub min: Option<[f64; 2]>,
     pub mean: Option<f64>,
+    pub fluctuation: Option<f64>,
     pub at_scene: Option<f64>,
     /// Bounds of the errors of the values of `max`, `min` and `at_scene`, where they are asked for.
     pub errors: [Option<f64>; 3],
 }
 
 impl Summary {
+    /// Says what the samples of the whole range tell together.
+    pub fn sum(&mut self, wanted: &Wanted, samples: &[f64], range: &DriveRange) {
+        if wanted.figures.contains(&Figure::Mean) {
+            self.mean = mean(samples);
+        }
+        if wanted.figures.contains(&Figure::Fluctuation) {
+            self.fluctuation = fluctuation(samples, range.step(), range.is_turn && !wanted.turns());
+        }
+    }
+
     /// The bound of the error of a figure's value at its place.
     pub fn error(&self, figure: Figure) -> Option<f64> {
         let [max, min, at_scene] = self.errors;
@@ -133,7 +157,7 @@ impl Summary {
                 if greatest[1].abs() >= least[1].abs() { max } else { min }
             }
             Figure::AtScene => at_scene,
-            Figure::Range | Figure::Mean => None,
+            Figure::Range | Figure::Mean | Figure::Fluctuation => None,
         }
     }
 
@@ -149,6 +173,7 @@ impl Summary {
             })),
             Figure::Range => (self.max.zip(self.min).map(|(max, min)| max[1] - min[1]), None),
             Figure::Mean => (self.mean, None),
+            Figure::Fluctuation => (self.fluctuation, None),
             Figure::AtScene => (self.at_scene, None),
         }
     }

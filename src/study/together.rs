@@ -1,6 +1,6 @@
 //! Mechanisms followed side by side from position to position, as long as each surely stays on its branch.
 
-use super::samples::{Spaced, Spot, mean, unwrap};
+use super::samples::{Spaced, Spot, unwrap};
 use super::task::{Outcome, Status, Summary, Task, Wanted};
 use crate::cycle::{Kept, Variants};
 use crate::geometry::{MANY, Many, Row, with_turns};
@@ -152,7 +152,9 @@ impl<'a> Walk<'a> {
             let Some(outcome) = outcome else { continue };
             for (quantity, (wanted, summary)) in self.task.wanted.iter().zip(&mut outcome.summaries).enumerate() {
                 summary.at_scene = Some(self.at_scene[quantity][mechanism]).filter(|y| y.is_finite());
-                summary.mean = if wanted.has_mean() { mean(&self.samples(mechanism, quantity)) } else { None };
+                if wanted.has_sum() {
+                    summary.sum(wanted, &self.samples(mechanism, quantity), &self.task.range);
+                }
             }
         }
         outcomes

@@ -90,3 +90,54 @@ fn none_of_many_may_be_assembled() {
         assert!(rows.chunks_exact(study.columns().len()).all(|row| row[at] == f64::from(status as u8)), "{range:?}");
     }
 }
+
+/// A weight on a crank: T = m g r cos φ has the mean 0, and the work between its zeros at ±90° is 2 m g r. Over the half turn from 0 on it
+/// goes up by m g r and down again, also where each mechanism goes by itself.
+#[test]
+fn a_flywheel_takes_in_what_a_weight_gives() {
+    const WEIGHT: f64 = 2.0 * 9.81;
+    let scene = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s", "mass": "kg", "force": "N" },
+        "ground": { "A": [0, 0], "D": [160, 0] },
+        "links": {
+            "1": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "angle": 60, "omega": 10 }, "mass": 2, "center": 30 },
+            "2": { "points": ["B", "C"], "lengths": { "BC": 140 } },
+            "3": { "points": ["D", "C"], "lengths": { "CD": 110 } } },
+        "near": { "C": [155, 110] }, "gravity": [0, -9810], "analysis": "static" }"#;
+    let ranges = [([0.0, 360.0], 2.0 * WEIGHT * 30.0), ([0.0, 180.0], WEIGHT * 30.0), ([90.0, -90.0], 0.0)];
+    for (range, work) in ranges {
+        for together in [true, false] {
+            let [from, to] = range;
+            let study = format!(
+                r#"{{ "kinegon_study": 1, "scene": {scene}, "count": 8, "seed": 4, "at_steps": {together},
+                    "vary": {{ "3.CD": {{ "from": 105, "to": 115 }} }}, "cycle": {{ "from": {from}, "to": {to}, "step": 2 }},
+                    "want": {{ "T(1)": ["mean", "fluctuation", "max"] }} }}"#
+            );
+            let study = StudyFile::read(&study).expect("a study");
+            let study = study.of(Scene::read(scene).expect("a scene")).expect("it moves");
+            let names: Vec<String> = study.columns().into_iter().map(|column| column.name).collect();
+            let at = |name: &str| names.iter().position(|other| other == name).expect("a column");
+            // From −90° to 90° the torque is never less than nothing, and more than its mean in the middle.
+            let mean = if range == [90.0, -90.0] { 2.0 * WEIGHT * 30.0 / std::f64::consts::PI } else { 0.0 };
+            let work = if range == [90.0, -90.0] { above(mean, WEIGHT * 30.0) } else { work };
+            for row in study.rows(0..study.count()).chunks_exact(names.len()) {
+                let found = [row[at("T(1).mean")], row[at("T(1).fluctuation")]];
+                assert!(
+                    (found[0] - mean).abs() < 1e-3 * WEIGHT * 30.0,
+                    "{range:?}, {together}: a mean of {}",
+                    found[0]
+                );
+                assert!(
+                    (found[1] - work).abs() < 1e-4 * WEIGHT * 30.0,
+                    "{range:?}, {together}: {} is not {work}",
+                    found[1]
+                );
+            }
+        }
+    }
+}
+
+/// ∫ (a cos φ − mean) between the two places where both are equal.
+fn above(mean: f64, a: f64) -> f64 {
+    let end = libm::acos(mean / a);
+    2.0 * (a * libm::sin(end) - mean * end)
+}

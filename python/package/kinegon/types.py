@@ -653,7 +653,7 @@ class StudyCycle(_StudyCycleKeys):
 
 
 #: What is said of a quantity over the cycle.
-StudyFigure = Literal["max", "min", "max_abs", "range", "mean", "at_scene"]
+StudyFigure = Literal["max", "min", "max_abs", "range", "mean", "fluctuation", "at_scene"]
 
 
 _StudyFileKeys = TypedDict("_StudyFileKeys", {"$schema": "NotRequired[str]"})
