@@ -5,7 +5,8 @@ use super::error::Wrong;
 use super::names::Names;
 use super::quantity_name::{Head, QuantityName};
 use super::says;
-use super::write::write_keys;
+use super::value::{Direction, OneOf, several_forms};
+use super::write::{write_forms, write_keys};
 use crate::geometry::Ball;
 use crate::text::shown;
 use schemars::JsonSchema;
@@ -25,10 +26,32 @@ pub(super) struct OverFile {
     /// What it depends on: `angle(1)`, the angle of a link, or `position(3/ground)`, the position of a slider.
     of: String,
     /// Pairs: an angle in degrees or a position, and how many times the given force and couple act there.
-    table: Vec<[f64; 2]>,
+    table: Vec<Line>,
 }
 
 write_keys!(OverFile { of, table });
+
+/// A line of a table: a place and the factor there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Line([f64; 2]);
+
+several_forms!(Line, "tableLine", OneOf {
+    expecting: "two numbers, a place and a factor, as [90, 1500]",
+    from: |given| match given {
+        Direction::Vector(line) => Some(Line(line)),
+        Direction::Degrees(_) | Direction::Points(_) => None,
+    },
+}, generator => {
+    "description": "A place and the factor there",
+    "type": "array",
+    "items": generator.subschema_for::<f64>(),
+    "minItems": 2,
+    "maxItems": 2
+});
+
+write_forms! {
+    Line { Line(line) => line }
+}
 
 /// How a load changes over the motion.
 ///
@@ -55,6 +78,7 @@ pub enum Gauge {
 impl OverFile {
     pub fn read(self, names: &Names<'_>) -> Result<Over, Wrong> {
         let OverFile { of, table } = self;
+        let table: Vec<[f64; 2]> = table.into_iter().map(|Line(line)| line).collect();
         let parsed = QuantityName::parse(&of).filter(|name| name.component.is_none());
         let gauge = match parsed.map(|QuantityName { head, arguments, .. }| (head, arguments)) {
             Some((Head::Angle, mut link)) => Gauge::Angle(link.pop().unwrap_or_default()),

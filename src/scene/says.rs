@@ -333,6 +333,7 @@ messages! { "scene":
     expects_vector;
     expects_link;
     expects_link_place;
+    expects_table_line;
     expects_load;
     expects_spring;
     expects_a_link;

@@ -915,6 +915,7 @@ scene-expects_direction = zwei Punkte wie "BE", oder eine Zahl in Grad, oder [dx
 scene-expects_vector = ein Vektor wie {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = ein Glied wie {"{"} "points": ["A", "B"], … {"}"}, oder eine Liste seiner Punkte ["A", "B"]
 scene-expects_link_place = den Namen eines Punkts in doppelten Anführungszeichen, seine Koordinaten [x, y], oder einen Abstand entlang der Achse des Glieds
+scene-expects_table_line = zwei Zahlen, eine Stelle und einen Faktor, wie [90, 1500]
 scene-expects_load = eine Last wie {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
 scene-expects_spring = eine Feder wie {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = ein Glied

@@ -945,6 +945,7 @@ scene-expects_direction = two points as "BE", or a number of degrees, or [dx, dy
 scene-expects_vector = a vector as {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = a link as {"{"} "points": ["A", "B"], … {"}"}, or a list of its points ["A", "B"]
 scene-expects_link_place = the name of a point in double quotes, its coordinates [x, y], or a distance along the link's axis
+scene-expects_table_line = two numbers, a place and a factor, as [90, 1500]
 scene-expects_load = a load as {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
 scene-expects_spring = a spring as {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = a link

@@ -913,6 +913,7 @@ scene-expects_direction = dos puntos como "BE", o un número de grados, o [dx, d
 scene-expects_vector = un vector como {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = un eslabón como {"{"} "points": ["A", "B"], … {"}"}, o una lista de sus puntos ["A", "B"]
 scene-expects_link_place = el nombre de un punto entre comillas dobles, sus coordenadas [x, y], o una distancia a lo largo del eje del eslabón
+scene-expects_table_line = dos números, un lugar y un factor, como [90, 1500]
 scene-expects_load = una carga como {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
 scene-expects_spring = un resorte como {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = un eslabón

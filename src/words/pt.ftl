@@ -915,6 +915,7 @@ scene-expects_direction = dois pontos como "BE", ou um número de graus, ou [dx,
 scene-expects_vector = um vetor como {"{"} "size": 150, "angle": 210 {"}"}
 scene-expects_link = um elo como {"{"} "points": ["A", "B"], … {"}"}, ou uma lista dos seus pontos ["A", "B"]
 scene-expects_link_place = o nome de um ponto entre aspas duplas, as suas coordenadas [x, y], ou uma distância ao longo do eixo do elo
+scene-expects_table_line = dois números, um lugar e um fator, como [90, 1500]
 scene-expects_load = uma carga como {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
 scene-expects_spring = uma mola como {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
 scene-expects_a_link = um elo
