@@ -2746,12 +2746,14 @@ export const SHEETS = [
     "key": "forces",
     "scale": "mu_f",
     "isPlan": false,
+    "isUsual": false,
     "vector": ""
   },
   {
     "key": "lever",
     "scale": "mu_h",
     "isPlan": false,
+    "isUsual": false,
     "vector": ""
   }
 ] as const;
