@@ -193,6 +193,21 @@ class Slider(TypedDict):
     """For people; ignored"""
 
 
+#: A place and the factor there
+TableLine = Sequence[float]
+
+
+class Over(TypedDict):
+    """How a load changes over the motion, in the file."""
+
+    of: str
+    """What it depends on: `angle(1)`, the angle of a link, or `position(3/ground)`, the position of a slider."""
+    table: Sequence[TableLine]
+    """Pairs: an angle in degrees or a position, and how many times the given force and couple act there."""
+    note: NotRequired[object]
+    """For people; ignored"""
+
+
 class Load(TypedDict):
     """A force or a couple on a link, in the file."""
 
@@ -208,6 +223,8 @@ class Load(TypedDict):
     """The couple, in force · length, counter-clockwise positive."""
     turns: NotRequired[bool]
     """Whether the force turns with the link: then its components are along the link's axis and normal to it."""
+    over: NotRequired[Over]
+    """How often the force and the couple act over the motion; left out: once everywhere."""
     note: NotRequired[object]
     """For people; ignored"""
 
@@ -240,7 +257,7 @@ NearValue = Union[Vector, float]
 
 
 #: A part of the figure.
-Panel = Literal["scheme", "velocity", "acceleration", "centers"]
+Panel = Literal["scheme", "velocity", "acceleration", "centers", "forces", "lever"]
 
 
 #: The plans for which scales are chosen that the scene does not give.
@@ -308,6 +325,10 @@ class Figure(TypedDict):
     """Scale of the acceleration plan: units of acceleration per millimetre of paper."""
     mu_c: NotRequired[float]
     """Scale of the figure of instant centres: units of length per millimetre of paper."""
+    mu_f: NotRequired[float]
+    """Scale of the force plan: units of force per millimetre of paper."""
+    mu_h: NotRequired[float]
+    """Scale of the lever: units of velocity per millimetre of paper."""
     scales: NotRequired[ScalesFor]
     """For which plans scales are chosen that are not given; left out: "position"."""
     focus: NotRequired[Panel]
@@ -918,6 +939,10 @@ class PencilResult(TypedDict):
     """Scale of the acceleration plan."""
     mu_c: NotRequired[Union[float, None]]
     """Scale of the figure of instant centres: units of length per millimetre of paper."""
+    mu_f: NotRequired[Union[float, None]]
+    """Scale of the force plan: units of force per millimetre of paper."""
+    mu_h: NotRequired[Union[float, None]]
+    """Scale of the lever: units of velocity per millimetre of paper."""
     bands: dict[str, BandResult]
     """By quantity name: what an honest drawing gives. A vector stands here by its `.size` and its `.angle`."""
     without: NotRequired[dict[str, str]]
@@ -1120,6 +1145,10 @@ class KeyScales(TypedDict):
     """Of the acceleration plan."""
     mu_c: NotRequired[float]
     """Of the figure of instant centres."""
+    mu_f: NotRequired[float]
+    """Of the force plan."""
+    mu_h: NotRequired[float]
+    """Of the lever."""
 
 
 class KeyValue(TypedDict):
@@ -1161,6 +1190,10 @@ class FigureKeys(TypedDict, total=False):
     """Scale of the acceleration plan: units of acceleration per millimetre of paper."""
     mu_c: float | None
     """Scale of the figure of instant centres: units of length per millimetre of paper."""
+    mu_f: float | None
+    """Scale of the force plan: units of force per millimetre of paper."""
+    mu_h: float | None
+    """Scale of the lever: units of velocity per millimetre of paper."""
     scales: ScalesFor | None
     """For which plans scales are chosen that are not given; left out: "position"."""
     focus: Panel | None

@@ -270,6 +270,13 @@ export type SceneLinkPlace = string | SceneVector | number;
  */
 export type SceneDirection = string | number | SceneVector;
 /**
+ * A place and the factor there
+ *
+ * @minItems 2
+ * @maxItems 2
+ */
+export type SceneTableLine = [number, number];
+/**
  * An end of a spring in the file: a link or "ground", and a place of it.
  *
  * @minItems 2
@@ -2526,6 +2533,23 @@ export interface SceneLoad {
    * Whether the force turns with the link: then its components are along the link's axis and normal to it.
    */
   turns?: boolean;
+  /**
+   * How often the force and the couple act over the motion; left out: once everywhere.
+   */
+  over?: SceneOver;
+}
+/**
+ * How a load changes over the motion, in the file.
+ */
+export interface SceneOver {
+  /**
+   * What it depends on: `angle(1)`, the angle of a link, or `position(3/ground)`, the position of a slider.
+   */
+  of: string;
+  /**
+   * Pairs: an angle in degrees or a position, and how many times the given force and couple act there.
+   */
+  table: SceneTableLine[];
 }
 /**
  * A spring between two places, in the file.
