@@ -281,7 +281,8 @@ impl CentersOnPaper<'_> {
                 }
                 _ => self.context.words.language.at_infinity(&symbol),
             };
-            self.arrow(canvas, &center.name, [edge - along * ARROW, edge], (&words, &symbol));
+            let tail = edge - along * ARROW;
+            self.arrow(canvas, &center.name, [tail, edge], tail, (&words, &symbol));
         }
     }
 
@@ -311,10 +312,17 @@ impl CentersOnPaper<'_> {
         best.map(|(_, way)| way)
     }
 
-    /// An arrow with words, or with a symbol alone where these have no room.
-    fn arrow(&self, canvas: &mut Canvas<'_>, name: &str, [tail, tip]: [Point; 2], (words, symbol): (&str, &str)) {
+    /// An arrow with words at a place, or with a symbol alone where these have no room.
+    fn arrow(
+        &self,
+        canvas: &mut Canvas<'_>,
+        name: &str,
+        [tail, tip]: [Point; 2],
+        at: Point,
+        (words, symbol): (&str, &str),
+    ) {
         canvas.draw_named(&format!("center-{name}"), Pen::Special, canvas.arrow(tail, tip));
-        let request = LabelRequest::new(RichText::plain(words), tail, 1.0, None, 3);
+        let request = LabelRequest::new(RichText::plain(words), at, 1.0, None, 3);
         let asked = canvas.ask(name, request);
         // Far from its arrow the distance would say nothing.
         asked.short = Some(RichText::math(symbol));
@@ -336,9 +344,11 @@ impl CentersOnPaper<'_> {
             };
             let along = [along, -along].into_iter().find(is_free).unwrap_or(along);
             let tail = at + along * (scheme::BLOCK.y + 1.5);
+            let tip = tail + along * ARROW;
             let symbol = self.symbol(center);
             let words = self.context.words.language.at_infinity(&symbol);
-            self.arrow(canvas, &center.name, [tail, tail + along * ARROW], (&words, &symbol));
+            // Next to the block there are other names.
+            self.arrow(canvas, &center.name, [tail, tip], tip, (&words, &symbol));
         }
     }
 
