@@ -1,6 +1,7 @@
 //! What a board shows of a drawing: all that its own construction needs can be chosen, numbers have their units, sheets have room for helping points,
 //! free hands are told how near they must be, and what is told of a wrong entry is true in its sense and its sign.
 
+use kinegon::Sheet;
 use kinegon::board::{Board, Given, HandDrawing, Judge, Pressed, Screen, ThingKind, own_drawing};
 use kinegon::check::AnswerKey;
 use kinegon::construction::Tolerance;
@@ -122,6 +123,18 @@ fn sheets_have_room_for_helping_points() {
     for (at, size) in point.at.into_iter().zip([sheet.width, sheet.height]) {
         assert!(at > room && at < size - room, "{at} mm of {size} mm");
     }
+}
+
+/// At a scale at which a sheet would be kilometres long there is no paper, and nothing is drawn.
+#[test]
+fn no_paper_is_kilometres_long() {
+    let four_bar = screen(&read("templates/four-bar.json"));
+    let sheets = |mu: f64| {
+        let text = json!({ "kinegon_drawing": 1, "mu_l": mu, "did": [] }).to_string();
+        let drawing = HandDrawing::read(&text).expect("a drawing");
+        four_bar.picture(&drawing, Sheet::Scheme, None, 3.5, None)
+    };
+    assert!(sheets(2.5).is_some() && sheets(2.5e-6).is_none() && sheets(5e-324).is_none());
 }
 
 #[test]
