@@ -22,7 +22,7 @@
 //!
 //! All numbers are [`Ball`]s, and the same code runs at a pose and within an enclosure of the true position and
 //! motion (`accuracy/`): a stated error is the distance of the one from the other. It runs in f64, too, for one of many positions
-//! (`Counted`): without bounds that takes a twentieth of the time.
+//! (`Counted`): without bounds that takes a fraction of the time.
 
 mod acting;
 mod carried;
