@@ -111,17 +111,20 @@ fn joints_and_drives_carry_what_is_true() {
     assert!(seen > 700, "only {seen}");
 }
 
-/// Loads for a scene: masses of all links, gravity, two forces and a couple.
-fn loaded(scene: &str, dice: &mut Random) -> Value {
+/// Loads for a scene: masses of most links, gravity, two forces and a couple.
+pub fn loaded(scene: &str, dice: &mut Random) -> Value {
     let mut scene: Value = serde_json::from_str(scene).expect("a scene is JSON");
     scene["units"]["mass"] = json!("kg");
     scene["units"]["force"] = json!("N");
     scene["gravity"] = json!([0, -9810]);
     let links: Vec<String> = entries(&scene["links"]).map(|(name, _)| name.to_owned()).collect();
     for link in &links {
-        scene["links"][link]["mass"] = json!(dice.between(0.5, 5.0));
-        scene["links"][link]["inertia"] = json!(dice.between(100.0, 5000.0));
-        scene["links"][link]["center"] = json!([dice.within(80.0), dice.within(80.0)]);
+        // A link without a load carries along its joints alone.
+        if dice.below(4) > 0 {
+            scene["links"][link]["mass"] = json!(dice.between(0.5, 5.0));
+            scene["links"][link]["inertia"] = json!(dice.between(100.0, 5000.0));
+            scene["links"][link]["center"] = json!([dice.within(80.0), dice.within(80.0)]);
+        }
     }
     let mut load = || {
         let on = &links[dice.below(links.len())];

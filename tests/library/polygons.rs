@@ -1,6 +1,7 @@
 //! Force plans: polygons that close, found by moments with arms measured on the scheme, hold what the equations of equilibrium give,
 //! for cases of independent digits and for random groups of all classes under random loads.
 
+use crate::forces::loaded;
 use kinegon::construction::{Action, ForceOf, ForcePart, ForcePlan, ForceStep, SideKind};
 use kinegon::geometry::Vector;
 use kinegon::mechanism::Mechanism;
@@ -118,30 +119,6 @@ fn polygons_hold_what_is_true() {
         }
     }
     assert!(seen > 200, "only {seen}");
-}
-
-/// Loads for a scene: masses of most links, gravity, two forces and a couple.
-fn loaded(scene: &str, dice: &mut Random) -> Value {
-    let mut scene: Value = serde_json::from_str(scene).expect("a scene is JSON");
-    scene["units"]["mass"] = json!("kg");
-    scene["units"]["force"] = json!("N");
-    scene["gravity"] = json!([0, -9810]);
-    let links: Vec<String> = entries(&scene["links"]).map(|(name, _)| name.to_owned()).collect();
-    for link in &links {
-        // A link without a load carries along its joints alone.
-        if dice.below(4) > 0 {
-            scene["links"][link]["mass"] = json!(dice.between(0.5, 5.0));
-            scene["links"][link]["inertia"] = json!(dice.between(100.0, 5000.0));
-            scene["links"][link]["center"] = json!([dice.within(80.0), dice.within(80.0)]);
-        }
-    }
-    let mut load = || {
-        let on = &links[dice.below(links.len())];
-        let at = [dice.within(80.0), dice.within(80.0)];
-        json!({ "on": on, "at": at, "force": [dice.within(300.0), dice.within(300.0)], "turns": dice.below(2) == 0 })
-    };
-    scene["forces"] = json!([load(), load(), { "on": links[1], "couple": 1500 }]);
-    scene
 }
 
 /// Random groups of all classes and patterns of pins and guides: both routes agree within what is allowed, and no group goes without a
