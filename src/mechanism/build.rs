@@ -62,7 +62,7 @@ pub(crate) fn renumber(mechanism: &mut Mechanism, scene: &Scene) -> Option<()> {
     if mechanism.placing.is_some() || scene.given_by == GivenBy::Drawing {
         return None;
     }
-    if !mechanism.sliders.is_empty() {
+    if !(mechanism.sliders.is_empty() && scene.gears.is_empty()) {
         let mut other = bodies(scene, &[]).ok()?;
         add_given(scene, &mut other);
         other.join_driven();

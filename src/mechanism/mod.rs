@@ -27,7 +27,7 @@ pub use build::mechanism;
 pub use build::mechanism_with;
 pub(crate) use build::{mirrored_mechanism, renumber};
 pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};
-pub use joint::{AngularConstraint, DrivenSlide, Guide, Joint, Mark, Slider};
+pub use joint::{AngularConstraint, DrivenSlide, Guide, Joint, Mark, Pitch, Slider};
 pub use loops::{AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate};
 
 use crate::Problem;

@@ -1,4 +1,4 @@
-use crate::geometry::{Placement, Point, Turn, Vector, cross, quarter_turn, turn_of_degrees};
+use crate::geometry::{Placement, Point, Turn, Vector, cross, degrees_of, quarter_turn, turn_of_degrees};
 use crate::mechanism::{Body, BodyId, JointId, Mechanism, PointId, Role, Slider, SliderId};
 use std::rc::Rc;
 
@@ -10,6 +10,8 @@ pub(super) struct Frames {
     settled: Rc<Vec<Option<Placement>>>,
     /// What has been set since.
     pub(super) set: Vec<(BodyId, Placement)>,
+    /// Angles from +x in degrees with their whole turns, of bodies on which wheels may roll.
+    turned: Vec<(BodyId, f64)>,
 }
 
 impl Frames {
@@ -25,7 +27,13 @@ impl Frames {
             _ => None,
         };
         let settled = mechanism.bodies.iter().map(given_frame).collect();
-        let mut frames = Frames { settled: Rc::new(settled), set: Vec::new() };
+        let has_wheels = mechanism.joints.iter().any(|joint| joint.pitch.is_some());
+        let angle = |body: BodyId| match mechanism.body(body).role {
+            Role::Driver { angle: Some(angle), .. } if has_wheels => Some((body, angle)),
+            _ => None,
+        };
+        let turned = mechanism.body_ids().filter_map(angle).collect();
+        let mut frames = Frames { settled: Rc::new(settled), set: Vec::new(), turned };
         for body in mechanism.body_ids() {
             if let Some(frame) = frames.of(body).copied() {
                 frames.set_compound(mechanism, body, frame);
@@ -58,6 +66,25 @@ impl Frames {
     pub(super) fn forget(&mut self, bodies: &[BodyId]) {
         let settled = Rc::make_mut(&mut self.settled);
         bodies.iter().for_each(|body| settled[body.0] = None);
+    }
+
+    /// A body's angle from +x in degrees, with its whole turns where they are counted.
+    pub(super) fn degrees(&self, body: BodyId) -> Option<f64> {
+        let of_frame = || Some(degrees_of(self.of(body)?.rotation * Vector::x()));
+        self.counted(body).or_else(of_frame)
+    }
+
+    /// The same, `None` where whole turns are not counted.
+    pub(super) fn counted(&self, body: BodyId) -> Option<f64> {
+        self.turned.iter().rev().find(|(other, _)| *other == body).map(|(_, degrees)| *degrees)
+    }
+
+    /// Counts the whole turns of a body's angle.
+    pub(super) fn set_degrees(&mut self, body: BodyId, degrees: f64) {
+        match self.turned.iter_mut().find(|(other, _)| *other == body) {
+            Some((_, own)) => *own = degrees,
+            None => self.turned.push((body, degrees)),
+        }
     }
 
     /// The places of the points of these bodies, as far as their frames are known.

@@ -29,6 +29,7 @@ mod platform;
 pub mod says;
 mod search;
 mod tree;
+mod wheels;
 
 pub(crate) use assemble::first_poses;
 pub use assemble::{Listed, counted_poses, numbered_pose, pose, poses, with_nearest_sides};

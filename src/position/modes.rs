@@ -3,6 +3,7 @@ use super::frames::{Frames, pinned};
 use super::platform::Platform;
 use super::says;
 use super::search::{Rough, Search};
+use super::wheels;
 use crate::geometry::{BoundingBox, Point, Turn, Vector, cross, degrees_of};
 use crate::mechanism::{BodyId, Class, Group, LoopEquations, Mechanism, SliderId};
 use crate::message::Message;
@@ -114,6 +115,13 @@ impl<'a> Assembler<'a> {
             if modes.found.is_empty() {
                 let parallel = platform.on_parallel_guides().map(|link| mechanism.body(link).name.clone());
                 return Err(parallel.map_or_else(|| NoMode::Apart(platform.miss()), NoMode::Parallel));
+            }
+        } else if let Some(start) =
+            wheels::start(mechanism, group, &modes.assembler.groups[index].equations, known, slides)
+        {
+            modes.close(start, f64::INFINITY);
+            if modes.found.is_empty() {
+                return Err(NoMode::NotFound(says::none_closes(1_usize)));
             }
         } else {
             let mut search = Search::new(mechanism, group, known, slides, &modes.assembler.rough);

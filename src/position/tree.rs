@@ -3,6 +3,7 @@ use super::frames::{Frames, driven_position};
 use super::modes::{Assembler, NoMode};
 use super::says;
 use super::search::{Rough, chord};
+use super::wheels;
 use super::{Assembly, Pose};
 use crate::geometry::{Placement, Vector, span};
 use crate::mechanism::{BodyId, Class, Joint, Mechanism, PointId, Role};
@@ -28,6 +29,8 @@ pub(super) struct Placed {
     pub group: usize,
     pub assembly: Assembly,
     pub frames: Vec<(BodyId, Placement)>,
+    /// Angles of its wheels, with their whole turns.
+    turned: Vec<(BodyId, f64)>,
     /// The positions of its sliders.
     slides: Vec<(usize, f64)>,
 }
@@ -63,6 +66,7 @@ impl<'a> Tree<'a> {
             group,
             assembly: Assembly { mode: index + 1, modes },
             slides: sliders.iter().map(|&id| (id, assembled.slides[id])).collect(),
+            turned: wheels::degrees(&assembled, &self.mechanism.groups[group].links),
             frames: assembled.frames.set,
         });
         Ok(placed.collect())
@@ -172,6 +176,7 @@ impl WholeAssembly {
     /// Puts a group down.
     pub(super) fn put(&mut self, placed: &Placed) {
         self.frames.settle(&placed.frames);
+        placed.turned.iter().for_each(|&(body, degrees)| self.frames.set_degrees(body, degrees));
         placed.slides.iter().for_each(|&(id, position)| self.slides[id] = position);
         self.assemblies[placed.group] = Some(placed.assembly);
     }

@@ -10,7 +10,7 @@ use super::digits::Digits;
 use super::error::{SceneError, Source, Wrong};
 use super::figure::{Figure, check_traced};
 use super::given::{GivenBy, PointMotion};
-use super::joint::{Slider, SliderFile, sliders};
+use super::joint::{Gear, GearFile, Slider, SliderFile, gears, sliders};
 use super::link::{Link, LinkFile, links};
 use super::loads::{Analysis, LoadFields, LoadFile, Loads, SpringFile, loads};
 use super::names::Names;
@@ -48,6 +48,8 @@ pub(super) struct SceneFile {
     pub links: IndexMap<String, LinkFile>,
     /// Links that slide along straight guides, and pins that ride in slots.
     pub sliders: Option<Vec<SliderFile>>,
+    /// Pairs of wheels that mesh.
+    pub gears: Option<Vec<GearFile>>,
     /// The acceleration of free fall, in length per time²; left out: zero.
     pub gravity: Option<Vector>,
     /// Forces and couples on links.
@@ -82,6 +84,7 @@ write_keys!(SceneFile {
     known,
     links,
     sliders,
+    gears,
     gravity,
     forces,
     springs,
@@ -114,6 +117,8 @@ pub struct Scene {
     pub links: IndexMap<String, Link>,
     /// The sliders, and the pins in slots.
     pub sliders: Vec<Slider>,
+    /// The pairs of wheels that mesh.
+    pub gears: Vec<Gear>,
     /// Masses, forces and springs; none where the scene gives none of them.
     pub loads: Option<Box<Loads>>,
     /// Approximate positions that choose the assembly mode; not in a drawn configuration.
@@ -337,6 +342,8 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
     let names = Names::new(&ground, &links);
     check_points(given_by, &names, &coordinates)?;
     let sliders = sliders(given_by, &names, &coordinates, file.sliders.unwrap_or_default(), of_links.pushes)?;
+    let is_drawn = given_by == GivenBy::Drawing;
+    let gears = gears(is_drawn, &names, &coordinates, file.gears.unwrap_or_default())?;
     let known = known(given_by, &names, file.known)?;
     check_given_once(&names, &known, &sliders)?;
     let fields = LoadFields {
@@ -366,6 +373,7 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
         known,
         links,
         sliders,
+        gears,
         loads,
         near,
         figure,

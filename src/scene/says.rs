@@ -250,6 +250,30 @@ messages! { "scene":
     add_link_or_pin(point);
     slides_on_itself(link);
 
+    // Gear pairs.
+    two_wheels(count);
+    meshed_twice(first, second);
+    remove_one_mesh;
+    meshes_with_itself(wheel);
+    wheel_carries_itself(wheel);
+    name_the_carrier;
+    wheels_on_one_axis(first, second);
+    mesh_over_a_wheel;
+    phase_is_drawn;
+    no_pressure(degrees);
+    usual_pressure(most);
+    no_teeth(teeth);
+    teeth_up_to(most);
+    two_rings;
+    one_ring;
+    ring_of_the_same_size;
+    ring_smaller(ring, wheel);
+    ring_larger;
+    wheel_not_on_carrier(wheel, carrier);
+    pin_the_wheel;
+    two_wheel_pins(wheel, carrier, first, second);
+    one_wheel_pin;
+
     // Masses and loads.
     mass_and_weight(link);
     without_mass(link, key);
@@ -343,6 +367,7 @@ messages! { "scene":
     expects_motion;
     expects_link_motion;
     expects_slider;
+    expects_gear;
     expects_scene;
     expects_figure;
     expects_centers;

@@ -681,7 +681,7 @@ scene-negative_size = der Betrag ist {$size}; ein Betrag ist nicht negativ: dreh
 scene-no_page = es gibt kein Papierformat "{$name}"
 scene-no_unit = es gibt keine Längeneinheit "{$name}"
 scene-did_you_mean = meinten Sie `{$name}`?
-scene-joints_out_of_scope = Glieder sind durch Drehgelenke und gerade Schubgelenke verbunden: Zahnräder, Riemen, Ketten, Zahnstangen und Kurvenscheiben gehören nicht dazu
+scene-joints_out_of_scope = Glieder sind durch Drehgelenke, gerade Schubgelenke und Zahnradpaare verbunden: Riemen, Ketten, Zahnstangen und Kurvenscheiben gehören nicht dazu
 scene-forces_out_of_scope = Bewegungen folgen aus den Antrieben: Kräfte, Massen, Federn und Reibung gehören nicht dazu
 
 # What a form asks for.
@@ -828,6 +828,31 @@ scene-add_at = ergänzen Sie "at", den Punkt von Glied {$link}, der auf der Füh
 scene-add_link_or_pin = ergänzen Sie "link", das gleitende Glied; oder schreiben Sie "pin": "{$point}" für einen Bolzen in einem Schlitz
 scene-slides_on_itself = Glied {$link} kann nicht auf sich selbst gleiten
 
+# Zahnradpaare.
+
+scene-two_wheels = ein Paar hat zwei Räder, nicht {$count}
+scene-meshed_twice = {$first} und {$second} greifen zweimal ineinander
+scene-remove_one_mesh = entfernen Sie eines der beiden Paare; von zwei Kränzen eines Glieds greift jeder in ein anderes Rad
+scene-meshes_with_itself = {$wheel} kann nicht in sich selbst eingreifen
+scene-wheel_carries_itself = {$wheel} ist ein Rad dieses Paars und kann es nicht tragen
+scene-name_the_carrier = `on` nennt das Glied, auf dessen Zapfen sich beide Räder drehen, oder "ground"
+scene-wheels_on_one_axis = {$first} und {$second} drehen sich um eine Achse und können nicht ineinander greifen
+scene-mesh_over_a_wheel = geben Sie ein Paar für jede Stelle an, an der sich Zähne berühren: Sonne und Planet, Planet und Hohlrad
+scene-phase_is_drawn = `phase` hat in einer gezeichneten Stellung keinen Platz
+scene-no_pressure = ein Eingriffswinkel von {$degrees}° ist keiner von Zähnen
+scene-usual_pressure = üblich ist 20; von 0 bis {$most}
+scene-no_teeth = {$teeth} ist keine Zähnezahl
+scene-teeth_up_to = geben Sie eine ganze Zahl bis {$most} an, negativ für ein Hohlrad; bei Rädern ohne Zähne ganze Zahlen im Verhältnis der Radien
+scene-two_rings = zwei Hohlräder können nicht ineinander greifen
+scene-one_ring = ein Hohlrad greift in ein Rad in seinem Innern, dessen Zähnezahl positiv ist
+scene-ring_of_the_same_size = Hohlrad und Rad haben gleich viele Zähne: sie wären eins
+scene-ring_smaller = das Hohlrad hat {$ring} Zähne, das Rad darin {$wheel}
+scene-ring_larger = ein Hohlrad hat mehr Zähne als das Rad in seinem Innern
+scene-wheel_not_on_carrier = {$wheel} hat keinen Zapfen auf {$carrier}, das Glied trägt das Paar
+scene-pin_the_wheel = nennen Sie die Mitte des Rads auf beiden: einen Punkt des Rads und des Trägers
+scene-two_wheel_pins = {$wheel} und {$carrier} haben {$first} und {$second} gemeinsam, sind also starr verbunden
+scene-one_wheel_pin = ein Rad dreht sich um einen Punkt seines Trägers
+
 # Masses and loads.
 
 scene-mass_and_weight = Glied {$link} hat eine Masse und ein Gewicht
@@ -925,6 +950,7 @@ scene-expects_push = ein Antrieb wie {"{"} "position": 40, "speed": 10 {"}"}
 scene-expects_motion = eine Bewegung wie {"{"} "velocity": [x, y], "acceleration": [x, y] {"}"}
 scene-expects_link_motion = eine Bewegung wie {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = ein Schieber wie {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
+scene-expects_gear = ein Zahnradpaar wie {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
 scene-expects_scene = eine Szene wie {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = ein Bild wie {"{"} "panels": ["scheme", "velocity"] {"}"}
 scene-expects_centers = "all", oder Pole wie ["P(2,ground)", "P(1,3)"]

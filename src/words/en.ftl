@@ -710,7 +710,7 @@ scene-negative_size = size is {$size}; a size is not negative: turn the angle by
 scene-no_page = there is no page "{$name}"
 scene-no_unit = there is no unit of length "{$name}"
 scene-did_you_mean = did you mean `{$name}`?
-scene-joints_out_of_scope = links are joined by pins and straight sliders: gears, belts, chains, racks and cams are out of scope
+scene-joints_out_of_scope = links are joined by pins, straight sliders and gear pairs: belts, chains, racks and cams are out of scope
 scene-forces_out_of_scope = motions follow from the drives: forces, masses, springs and friction are out of scope
 
 # What a form asks for.
@@ -858,6 +858,31 @@ scene-add_at = add "at", the point of link {$link} that is on the guide
 scene-add_link_or_pin = add "link", the sliding link; or write "pin": "{$point}" for a pin in a slot
 scene-slides_on_itself = link {$link} cannot slide on itself
 
+# Gear pairs.
+
+scene-two_wheels = a pair has two wheels, not {$count}
+scene-meshed_twice = {$first} and {$second} mesh twice
+scene-remove_one_mesh = remove one of the two pairs; of two rims on one link each meshes with another wheel
+scene-meshes_with_itself = {$wheel} cannot mesh with itself
+scene-wheel_carries_itself = {$wheel} is a wheel of this pair and cannot carry it
+scene-name_the_carrier = `on` names the link on whose pins both wheels turn, or "ground"
+scene-wheels_on_one_axis = {$first} and {$second} turn about one axis, so they cannot mesh
+scene-mesh_over_a_wheel = give a pair for each place where teeth touch: sun and planet, planet and ring
+scene-phase_is_drawn = `phase` has no place in a drawn configuration
+scene-no_pressure = a pressure angle of {$degrees}° is none of teeth
+scene-usual_pressure = usual is 20; from 0 to {$most}
+scene-no_teeth = {$teeth} is no number of teeth
+scene-teeth_up_to = give a whole number up to {$most}, negative for a ring with inner teeth; of wheels without teeth whole numbers in the ratio of their radii
+scene-two_rings = two rings with inner teeth cannot mesh
+scene-one_ring = a ring meshes with a wheel inside of it, whose teeth are positive
+scene-ring_of_the_same_size = ring and wheel have the same number of teeth: they would be one
+scene-ring_smaller = the ring has {$ring} teeth, the wheel in it {$wheel}
+scene-ring_larger = a ring has more teeth than the wheel inside of it
+scene-wheel_not_on_carrier = {$wheel} has no pin on {$carrier}, which carries the pair
+scene-pin_the_wheel = name the wheel's centre on both: a point of the wheel and of the carrier
+scene-two_wheel_pins = {$wheel} and {$carrier} have both {$first} and {$second} in common, so they are rigid
+scene-one_wheel_pin = a wheel turns about one point of its carrier
+
 # Masses and loads.
 
 scene-mass_and_weight = link {$link} has a mass and a weight
@@ -955,6 +980,7 @@ scene-expects_push = a drive as {"{"} "position": 40, "speed": 10 {"}"}
 scene-expects_motion = a motion as {"{"} "velocity": [x, y], "acceleration": [x, y] {"}"}
 scene-expects_link_motion = a motion as {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = a slider as {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
+scene-expects_gear = a gear pair as {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
 scene-expects_scene = a scene as {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = a figure as {"{"} "panels": ["scheme", "velocity"] {"}"}
 scene-expects_centers = "all", or centres as ["P(2,ground)", "P(1,3)"]

@@ -679,7 +679,7 @@ scene-negative_size = el tamaño es {$size}; un tamaño no es negativo: en su lu
 scene-no_page = no existe la página "{$name}"
 scene-no_unit = no existe la unidad de longitud "{$name}"
 scene-did_you_mean = ¿quiso decir `{$name}`?
-scene-joints_out_of_scope = los eslabones se unen por articulaciones y correderas rectas: engranajes, correas, cadenas, cremalleras y levas quedan fuera
+scene-joints_out_of_scope = los eslabones se unen por articulaciones, correderas rectas y pares de engranajes: correas, cadenas, cremalleras y levas quedan fuera
 scene-forces_out_of_scope = los movimientos se siguen de los accionamientos: fuerzas, masas, muelles y rozamiento quedan fuera
 
 # What a form asks for.
@@ -826,6 +826,31 @@ scene-add_at = añada "at", el punto del eslabón {$link} que está en la guía
 scene-add_link_or_pin = añada "link", el eslabón que desliza; o escriba "pin": "{$point}" para un perno en una ranura
 scene-slides_on_itself = el eslabón {$link} no puede deslizar sobre sí mismo
 
+# Pares de engranajes.
+
+scene-two_wheels = un par tiene dos ruedas, no {$count}
+scene-meshed_twice = {$first} y {$second} engranan dos veces
+scene-remove_one_mesh = quite uno de los dos pares; de dos coronas de un eslabón cada una engrana con otra rueda
+scene-meshes_with_itself = {$wheel} no puede engranar consigo mismo
+scene-wheel_carries_itself = {$wheel} es una rueda de este par y no puede llevarlo
+scene-name_the_carrier = `on` nombra el eslabón en cuyos pasadores giran ambas ruedas, o "ground"
+scene-wheels_on_one_axis = {$first} y {$second} giran sobre un mismo eje y no pueden engranar
+scene-mesh_over_a_wheel = dé un par por cada lugar donde se tocan dientes: sol y planeta, planeta y corona
+scene-phase_is_drawn = `phase` no tiene lugar en una configuración dibujada
+scene-no_pressure = un ángulo de presión de {$degrees}° no es de dientes
+scene-usual_pressure = lo usual es 20; de 0 a {$most}
+scene-no_teeth = {$teeth} no es un número de dientes
+scene-teeth_up_to = dé un número entero hasta {$most}, negativo para una corona interior; de ruedas sin dientes números enteros en la razón de sus radios
+scene-two_rings = dos coronas interiores no pueden engranar
+scene-one_ring = una corona engrana con una rueda en su interior, de dientes positivos
+scene-ring_of_the_same_size = corona y rueda tienen el mismo número de dientes: serían una
+scene-ring_smaller = la corona tiene {$ring} dientes, la rueda en ella {$wheel}
+scene-ring_larger = una corona tiene más dientes que la rueda en su interior
+scene-wheel_not_on_carrier = {$wheel} no tiene pasador en {$carrier}, que lleva el par
+scene-pin_the_wheel = nombre el centro de la rueda en ambos: un punto de la rueda y del portador
+scene-two_wheel_pins = {$wheel} y {$carrier} tienen en común {$first} y {$second}, así que son rígidos
+scene-one_wheel_pin = una rueda gira sobre un punto de su portador
+
 # Masses and loads.
 
 scene-mass_and_weight = el eslabón {$link} tiene masa y peso
@@ -923,6 +948,7 @@ scene-expects_push = un accionamiento como {"{"} "position": 40, "speed": 10 {"}
 scene-expects_motion = un movimiento como {"{"} "velocity": [x, y], "acceleration": [x, y] {"}"}
 scene-expects_link_motion = un movimiento como {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = una corredera como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
+scene-expects_gear = un par de engranajes como {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
 scene-expects_scene = una escena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = una figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
 scene-expects_centers = "all", o centros como ["P(2,ground)", "P(1,3)"]

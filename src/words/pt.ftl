@@ -681,7 +681,7 @@ scene-negative_size = o tamanho é {$size}; um tamanho não é negativo: em vez 
 scene-no_page = não existe a página "{$name}"
 scene-no_unit = não existe a unidade de comprimento "{$name}"
 scene-did_you_mean = você quis dizer `{$name}`?
-scene-joints_out_of_scope = os elos se unem por pinos e cursores retos: engrenagens, correias, correntes, cremalheiras e cames ficam de fora
+scene-joints_out_of_scope = os elos se unem por pinos, cursores retos e pares de engrenagens: correias, correntes, cremalheiras e cames ficam de fora
 scene-forces_out_of_scope = os movimentos decorrem dos acionamentos: forças, massas, molas e atrito ficam de fora
 
 # What a form asks for.
@@ -828,6 +828,31 @@ scene-add_at = acrescente "at", o ponto do elo {$link} que está na guia
 scene-add_link_or_pin = acrescente "link", o elo que desliza; ou escreva "pin": "{$point}" para um pino em uma ranhura
 scene-slides_on_itself = o elo {$link} não pode deslizar sobre si mesmo
 
+# Pares de engrenagens.
+
+scene-two_wheels = um par tem duas rodas, não {$count}
+scene-meshed_twice = {$first} e {$second} engrenam duas vezes
+scene-remove_one_mesh = remova um dos dois pares; de duas coroas de um elo cada uma engrena com outra roda
+scene-meshes_with_itself = {$wheel} não pode engrenar consigo mesmo
+scene-wheel_carries_itself = {$wheel} é uma roda deste par e não pode levá-lo
+scene-name_the_carrier = `on` nomeia o elo em cujos pinos giram as duas rodas, ou "ground"
+scene-wheels_on_one_axis = {$first} e {$second} giram em torno de um mesmo eixo e não podem engrenar
+scene-mesh_over_a_wheel = dê um par para cada lugar onde dentes se tocam: solar e planeta, planeta e coroa
+scene-phase_is_drawn = `phase` não tem lugar em uma configuração desenhada
+scene-no_pressure = um ângulo de pressão de {$degrees}° não é de dentes
+scene-usual_pressure = o usual é 20; de 0 a {$most}
+scene-no_teeth = {$teeth} não é um número de dentes
+scene-teeth_up_to = dê um número inteiro até {$most}, negativo para uma coroa interna; de rodas sem dentes números inteiros na razão dos seus raios
+scene-two_rings = duas coroas internas não podem engrenar
+scene-one_ring = uma coroa engrena com uma roda no seu interior, de dentes positivos
+scene-ring_of_the_same_size = coroa e roda têm o mesmo número de dentes: seriam uma só
+scene-ring_smaller = a coroa tem {$ring} dentes, a roda dentro dela {$wheel}
+scene-ring_larger = uma coroa tem mais dentes que a roda no seu interior
+scene-wheel_not_on_carrier = {$wheel} não tem pino em {$carrier}, que leva o par
+scene-pin_the_wheel = nomeie o centro da roda em ambos: um ponto da roda e do suporte
+scene-two_wheel_pins = {$wheel} e {$carrier} têm em comum {$first} e {$second}, portanto são rígidos
+scene-one_wheel_pin = uma roda gira em torno de um ponto do seu suporte
+
 # Masses and loads.
 
 scene-mass_and_weight = o elo {$link} tem massa e peso
@@ -925,6 +950,7 @@ scene-expects_push = um acionamento como {"{"} "position": 40, "speed": 10 {"}"}
 scene-expects_motion = um movimento como {"{"} "velocity": [x, y], "acceleration": [x, y] {"}"}
 scene-expects_link_motion = um movimento como {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = um cursor como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
+scene-expects_gear = um par de engrenagens como {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
 scene-expects_scene = uma cena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = uma figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
 scene-expects_centers = "all", ou centros como ["P(2,ground)", "P(1,3)"]

@@ -4,13 +4,14 @@
 //! To add a kind of joint: a file like `slider` with all that belongs to it, and its line in [`add_given`]. It is read
 //! by a file beside `scene/joint/slider.rs`, with a line in `scene/read.rs`.
 
+mod gear;
 mod slider;
 
 pub(super) use slider::guide_line;
 pub use slider::{DrivenSlide, Guide, Slider};
 
 use super::{BodyId, JointId, Mechanism, PointId, SliderId};
-use crate::geometry::{Point, Turn};
+use crate::geometry::{Point, Turn, Vector, degrees_of, turn_of_degrees};
 use crate::scene::Scene;
 use smallvec::{SmallVec, smallvec};
 
@@ -30,8 +31,30 @@ pub struct Joint {
     pub slider: Option<SliderId>,
     /// The relation between angles of bodies that it keeps, if any.
     pub angular: Option<AngularConstraint>,
+    /// Where its bodies roll on each other, for a gear pair.
+    pub pitch: Option<Pitch>,
     /// The marks by which it is drawn.
     pub marks: SmallVec<[Mark; 2]>,
+}
+
+/// Where two wheels roll on each other: the pitch point, on the line of their centres. It is their instant centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pitch {
+    /// The centres of the wheels, on their carrier.
+    pub centers: [PointId; 2],
+    /// How far from the first centre towards the second it lies, in parts of their distance: z₁ / (z₁ + z₂), beyond the wheel in a ring, which
+    /// has negative teeth.
+    pub share: f64,
+    /// The angle of the line of action from the common tangent, in degrees.
+    pub pressure_deg: f64,
+}
+
+impl Pitch {
+    /// The pitch point where the centres are at these places.
+    #[must_use]
+    pub fn point(&self, [first, second]: [Point; 2]) -> Point {
+        first + (second - first) * self.share
+    }
 }
 
 /// A mark by which a joint is drawn.
@@ -62,9 +85,25 @@ pub struct AngularConstraint {
     pub terms: SmallVec<[(BodyId, i32); 3]>,
     /// The constant angle; not used in a drawn configuration.
     pub constant: Turn,
+    /// The same in degrees, with its whole turns: these count where an angle is found by a division, as that of a wheel with twice as many
+    /// teeth.
+    pub constant_deg: f64,
 }
 
 impl AngularConstraint {
+    /// The relation with this constant, in degrees.
+    #[must_use]
+    pub fn degrees(terms: SmallVec<[(BodyId, i32); 3]>, constant_deg: f64) -> AngularConstraint {
+        AngularConstraint { terms, constant: turn_of_degrees(constant_deg), constant_deg }
+    }
+
+    /// The constant angle `turn` from the first body to the second.
+    #[must_use]
+    pub fn fixed([first, second]: [BodyId; 2], turn: Turn) -> AngularConstraint {
+        let constant_deg = degrees_of(turn * Vector::x());
+        AngularConstraint { terms: smallvec![(first, -1), (second, 1)], constant: turn, constant_deg }
+    }
+
     /// The two bodies with a constant angle between them, and the rotation from the frame of the first to that of the
     /// second; `None` for any other relation. Such bodies have one angular rate, so that the relation needs no equation.
     #[must_use]
@@ -81,7 +120,15 @@ impl Joint {
     #[must_use]
     pub fn pin(point: PointId, bodies: [BodyId; 2]) -> Self {
         let circle = Mark::Circle { center: point, towards: point, part: 0.0 };
-        Self { letter: 'R', bodies, pin: Some(point), slider: None, angular: None, marks: smallvec![circle] }
+        Self {
+            letter: 'R',
+            bodies,
+            pin: Some(point),
+            slider: None,
+            angular: None,
+            pitch: None,
+            marks: smallvec![circle],
+        }
     }
 
     /// The bodies whose angles it relates; none if it constrains places alone.
@@ -134,6 +181,7 @@ impl Mechanism {
 /// Adds the joints that a scene lists; pins follow from shared points.
 pub(super) fn add_given(scene: &Scene, mechanism: &mut Mechanism) {
     slider::add(scene, mechanism);
+    gear::add(scene, mechanism);
 }
 
 /// Adds the pins: for a point of n bodies n − 1 of them, all at the first body of known motion, or else at the first.

@@ -102,10 +102,8 @@ impl Mechanism {
             bodies,
             pin: None,
             slider: Some(id),
-            angular: Some(AngularConstraint {
-                terms: smallvec![(slider.on, -1), (slider.link, 1)],
-                constant: slider.turn(),
-            }),
+            angular: Some(AngularConstraint::fixed([slider.on, slider.link], slider.turn())),
+            pitch: None,
             marks: smallvec![Mark::Block(id)],
         });
         self.sliders.push(slider);

@@ -1,8 +1,11 @@
 //! The joints that a scene lists, a file for each kind: its keys in the file, its checked form, the checks, and what its
 //! words name, which is all that editing has to know of it. Pins are no kind: they follow from points that links share.
 
+mod gear;
 mod slider;
 
+pub use gear::Gear;
+pub(super) use gear::{GearFile, gears};
 pub use slider::{Along, On, Slider};
 pub(super) use slider::{SliderFile, sliders};
 
@@ -12,7 +15,7 @@ use crate::message::Message;
 use serde_json::Value as Json;
 
 /// The kinds of joints that a scene lists.
-pub(crate) const JOINTS: [&JointKind; 1] = [&slider::SLIDERS];
+pub(crate) const JOINTS: [&JointKind; 2] = [&slider::SLIDERS, &gear::GEARS];
 
 /// A kind of joint as the text of a scene has it.
 pub(crate) struct JointKind {
@@ -104,9 +107,9 @@ pub(crate) fn key_order(path: &[&str]) -> Vec<&'static str> {
 }
 
 /// Keys of what moves otherwise than by pins and straight sliders.
-const OTHER_JOINTS: [&str; 17] = [
-    "gear", "gears", "gearing", "teeth", "pinion", "rack", "racks", "belt", "belts", "pulley", "pulleys", "chain",
-    "chains", "cam", "cams", "follower", "geneva",
+const OTHER_JOINTS: [&str; 13] = [
+    "pinion", "rack", "racks", "belt", "belts", "pulley", "pulleys", "chain", "chains", "cam", "cams", "follower",
+    "geneva",
 ];
 
 /// Keys of what moves a mechanism.
