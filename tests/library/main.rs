@@ -8,6 +8,7 @@
 //!   is hard on the way from a text's digits to them;
 //!   `paper_facts`, `published_numbers` and `worked` hold the paper and 20 textbook cases; `templates` holds every
 //!   starting scene to independent truth and its rates to finite differences.
+//!   `singular` asks that nothing is proved of mechanisms that are exactly singular.
 //! - Poles: `centers` holds instant centres, inflection poles and poles of accelerations to independent digits, of random mechanisms to 256 bits, and three
 //!   centres of three links to a line.
 //! - Lines to poles: `kennedy` holds instant centres by Kennedy's lines to independent digits and to the motion, and finds them for all chains of four, six and eight
@@ -114,6 +115,7 @@ mod pull;
 mod reference;
 mod scene_build;
 mod scene_read;
+mod singular;
 mod sizes;
 mod stage;
 mod step_names;
