@@ -46,6 +46,16 @@ const KINDS: [(&str, &str, &str); 19] = [
         "Three links on one pin; the ram slows down, and its force grows, as the toggle straightens.",
     ),
     (
+        "geared-five-bar",
+        "templates/geared-five-bar.json",
+        "Two cranks on wheels that mesh: the second turns half as fast, the other way, and a dyad adds both.",
+    ),
+    (
+        "planetary",
+        "templates/planetary.json",
+        "The sun drives a planet that rolls in the fixed ring; arm and planet follow from both meshes.",
+    ),
+    (
         "hydraulic-boom",
         "templates/hydraulic-boom.json",
         "Cylinder and rod are one link of changing length: sliding velocity, sliding and Coriolis acceleration are laid off before the ray.",

@@ -66,6 +66,11 @@ impl Enclosure {
                 let place = self.place(pin);
                 (place.x.is_known() && place.y.is_known()).then_some(TrueCenter::At(place))
             }
+            Some(Permanent::Mesh(_)) => {
+                let pitch = pole.pitch?;
+                let place = pitch.point(pitch.centers.map(|center| self.place(center)));
+                (place.x.is_known() && place.y.is_known()).then_some(TrueCenter::At(place))
+            }
             Some(Permanent::Guide(slider)) => {
                 let along = self.guide(slider).quarter_turn();
                 (along.x.is_known() && along.y.is_known())

@@ -1,11 +1,13 @@
 use super::LinkPair;
-use crate::mechanism::{AngularConstraint, BodyId, Mechanism, PointId, SliderId};
+use crate::mechanism::{AngularConstraint, BodyId, JointId, Mechanism, PointId, SliderId};
 
 /// What joints alone say of the instant centre of two links, in every position and at rest, too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Permanent {
     /// A pin joins them: it is the centre.
     Pin(PointId),
+    /// Wheels on them roll on each other: it is their pitch point.
+    Mesh(JointId),
     /// One slides along a guide of the other: the centre lies at infinity, normal to the guide.
     Guide(SliderId),
     /// Sliders join them over other links, so that they always turn alike: the centre lies at infinity, normal to their relative velocity.
@@ -20,6 +22,13 @@ impl Permanent {
         let [a, b] = links.map(|link| mechanism.body(link));
         if let Some(&pin) = a.points.iter().find(|&&point| b.has(point)) {
             return Some(Permanent::Pin(pin));
+        }
+        let meshes = |id: &JointId| {
+            let joint = mechanism.joint(*id);
+            joint.pitch.is_some() && pair.other(joint.bodies[0]) == Some(joint.bodies[1])
+        };
+        if let Some(mesh) = mechanism.joint_ids().find(meshes) {
+            return Some(Permanent::Mesh(mesh));
         }
         let joins = |id: &SliderId| {
             let slider = mechanism.slider(*id);

@@ -38,6 +38,7 @@ pub(super) fn point(document: &mut Document<'_>, name: &str) -> Result<(), Scene
         return Err(no_such(document, Named::Point, name, &names.points()));
     }
     remove_joints(document, Meaning::Point, name)?;
+    remove_wheels(document, &names, name)?;
     remove_guides(document, &names, name)?;
     for (link, points) in names.links.iter().filter(|(_, points)| points.iter().any(|point| point == name)) {
         take_from_link(document, link, points, name)?;
@@ -119,6 +120,16 @@ fn remove_joints(document: &mut Document<'_>, what: Meaning, name: &str) -> Resu
     JOINTS.into_iter().try_for_each(|kind| {
         remove_entries(document, &[kind.list], &|joint| kind.words(joint, what).any(|word| word == name))
     })
+}
+
+/// Removes the gear pairs of which a wheel turns on its carrier about a point.
+fn remove_wheels(document: &mut Document<'_>, names: &Names, point: &str) -> Result<(), SceneError> {
+    let has = |body: &Json| match body.as_str() {
+        Some("ground") => names.ground.iter().any(|own| own == point),
+        body => body.and_then(|link| names.links.get(link)).is_some_and(|points| points.iter().any(|own| own == point)),
+    };
+    let is_center = |gear: &Json| has(&gear["on"]) && gear["mesh"].as_array().into_iter().flatten().any(has);
+    remove_entries(document, &["gears"], &is_center)
 }
 
 /// Removes entries of the list at a path, if there is a list.

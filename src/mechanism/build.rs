@@ -1,6 +1,6 @@
 use super::drives::{link_angle_for_drive, places_from_drives, role};
 use super::group::group;
-use super::joint::{add_given, add_pins};
+use super::joint::{add_given, add_pins, unlike_wheels};
 use super::says;
 use super::shape::{Side, local_points};
 use super::structure::{Edge, Structure, structure};
@@ -43,6 +43,7 @@ pub fn mechanism_with(
     mechanism.warnings.extend(radians_warnings(scene));
     mechanism.warnings.extend(far_origin_warning(scene));
     add(&mut mechanism);
+    mechanism.warnings.extend(unlike_wheels(&mechanism));
     check_gauges(scene, &mechanism)?;
     let given_angle = link_angle_for_drive(scene)?;
     let unpinned = given_angle.map(|_| mechanism.clone());
@@ -159,9 +160,20 @@ fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureE
                 pattern: group.pattern(mechanism),
             });
         }
+        if group.loops.is_empty() && !turns_definitely(&LoopEquations::new(mechanism, &group)) {
+            let message = says::train_without_ratio(group.link_names(mechanism));
+            return Err(scene.error_at(&["gears"], message, Some(says::other_teeth())).into());
+        }
         found.push(group);
     }
     Ok(found)
+}
+
+/// Whether the equations of a group without a loop, which are whole numbers and the same in every position, tell all angles.
+fn turns_definitely(equations: &LoopEquations) -> bool {
+    let matrix = equations.matrix(&[], &[]);
+    let sizes: f64 = matrix.row_iter().map(|row| row.norm()).product();
+    matrix.determinant().abs() > sizes * 1e-12
 }
 
 /// How positions are found where `link` is at `angle` degrees from +x and one drive has no position.

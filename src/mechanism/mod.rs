@@ -185,6 +185,11 @@ impl Mechanism {
         (0..self.points.len()).map(PointId)
     }
 
+    /// The indices of all joints.
+    pub(crate) fn joint_ids(&self) -> impl Iterator<Item = JointId> + use<> {
+        (0..self.joints.len()).map(JointId)
+    }
+
     /// The indices of all sliders.
     pub(crate) fn slider_ids(&self) -> impl Iterator<Item = SliderId> + use<> {
         (0..self.sliders.len()).map(SliderId)

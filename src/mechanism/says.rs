@@ -29,6 +29,11 @@ messages! { "mechanism":
     drives(count);
     mobility(links, constraints, mobility, drives);
 
+    // Gear pairs.
+    train_without_ratio(links);
+    other_teeth;
+    two_radii(link, teeth, first, second);
+
     // Drives.
     one_ground_point(link, count);
     list_pivot;

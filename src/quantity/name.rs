@@ -5,7 +5,7 @@ use super::says;
 use crate::Problem;
 use crate::centers::{LinkPair, Permanent};
 use crate::construction::{Construction, NumberedStep, Rate, Solution, coincident_name};
-use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, GROUND, Mechanism, Pitch, PointId, Role, SliderId};
 use crate::message::Message;
 use crate::scene::{Component, Head, QuantityName};
 use crate::sheet::{Order, Sheet};
@@ -140,6 +140,8 @@ pub struct Pole {
     pub of: PoleOf,
     /// A point of the mechanism, from which it is found.
     pub near: PointId,
+    /// Of wheels that mesh: where they roll on each other.
+    pub pitch: Option<Pitch>,
     /// How many points the mechanism has.
     pub points: usize,
 }
@@ -337,7 +339,11 @@ impl Finder<'_> {
             _ => return Err(self.form()),
         };
         let near = self.mechanism.body(link).points.first().copied().unwrap_or(PointId(0));
-        Ok(Pole { name: name.to_owned(), of, near, points: self.mechanism.points.len() })
+        let pitch = match of {
+            PoleOf::Center(_, Some(Permanent::Mesh(mesh))) => self.mechanism.joint(mesh).pitch,
+            _ => None,
+        };
+        Ok(Pole { name: name.to_owned(), of, near, pitch, points: self.mechanism.points.len() })
     }
 
     /// The place of a name, which may be a pole.

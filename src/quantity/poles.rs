@@ -129,6 +129,11 @@ fn center(pole: &Pole, pair: LinkPair, permanent: Option<Permanent>, state: &imp
     let far = |along: Vector| to_the_right(along).map(Place::AtInfinity);
     match permanent {
         Some(Permanent::Pin(pin)) => return Some(Place::At(state.place(pin))),
+        Some(Permanent::Mesh(_)) => {
+            return pole
+                .pitch
+                .and_then(|pitch| place(pitch.point(pitch.centers.map(|at| state.place(at).coords.into()))));
+        }
         Some(Permanent::Guide(slider)) => return far(quarter_turn(state.guide(slider))),
         Some(Permanent::Alike) | None => {}
     }

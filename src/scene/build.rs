@@ -97,11 +97,36 @@ impl Builder {
         self.sliding(slot.0.with("pin", pin))
     }
 
-    fn sliding(mut self, slider: Object) -> Builder {
-        let slider = slider.in_order(&["sliders", ""]).written();
-        match self.file.slot("sliders") {
-            Written::List(sliders) => sliders.push(slider),
-            none => *none = Written::List(vec![slider]),
+    fn sliding(self, slider: Object) -> Builder {
+        self.listed("sliders", slider)
+    }
+
+    /// Lets two wheels mesh that turn on pins of one carrier: links, or `"ground"`.
+    ///
+    /// ```
+    /// use kinegon::scene::{Builder, LengthUnit, Mesh, NewLink, TimeUnit, Turn};
+    ///
+    /// let scene = Builder::new(LengthUnit::Mm, TimeUnit::S)
+    ///     .ground("A", [0.0, 0.0])
+    ///     .ground("D", [60.0, 0.0])
+    ///     .link("1", NewLink::points(["A", "B"]).length("AB", 10.0).drive(Turn::omega(8.0).angle(30.0)))
+    ///     .link("2", NewLink::points(["D", "E"]).length("DE", 10.0))
+    ///     .gear(["1", "2"], Mesh::on("ground").teeth([20, 40]))
+    ///     .build()?;
+    /// let solution = kinegon::solve(&scene).expect("it turns");
+    /// assert_eq!(solution.motion.body(solution.mechanism.link("2").expect("a wheel")).omega, -4.0);
+    /// # Ok::<(), kinegon::scene::SceneError>(())
+    /// ```
+    pub fn gear(self, wheels: [&str; 2], mesh: Mesh) -> Builder {
+        self.listed("gears", mesh.0.with("mesh", &wheels.map(str::to_owned).to_vec()))
+    }
+
+    /// Adds an entry to a list of joints.
+    fn listed(mut self, list: &str, joint: Object) -> Builder {
+        let joint = joint.in_order(&[list, ""]).written();
+        match self.file.slot(list) {
+            Written::List(joints) => joints.push(joint),
+            none => *none = Written::List(vec![joint]),
         }
         self
     }
@@ -294,6 +319,33 @@ impl Guide {
     /// With a drive that pushes the sliding link or the pin.
     pub fn drive(self, push: Push) -> Guide {
         Guide(self.0.with("drive", &push.0))
+    }
+}
+
+/// How two wheels mesh, for [`Builder::gear`](super::Builder::gear).
+#[derive(Debug, Clone)]
+#[must_use]
+pub struct Mesh(Object);
+
+impl Mesh {
+    /// On pins of the link of this name, or of `"ground"`.
+    pub fn on(carrier: &str) -> Mesh {
+        Mesh(Object::default().with("on", carrier))
+    }
+
+    /// With these numbers of teeth, in the order of the wheels; that of a ring with inner teeth is negative.
+    pub fn teeth(self, teeth: [i32; 2]) -> Mesh {
+        Mesh(self.0.with("teeth", &teeth.map(f64::from)))
+    }
+
+    /// With the second wheel at this angle where the first stands at 0, both from the carrier's axis, in degrees; zero by default.
+    pub fn phase(self, degrees: f64) -> Mesh {
+        Mesh(self.0.with("phase", &degrees))
+    }
+
+    /// With this pressure angle, in degrees; zero by default.
+    pub fn pressure(self, degrees: f64) -> Mesh {
+        Mesh(self.0.with("pressure", &degrees))
     }
 }
 

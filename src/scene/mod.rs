@@ -36,7 +36,7 @@ mod typed;
 mod value;
 mod write;
 
-pub use build::{Builder, Guide, NewLink, Push, Turn};
+pub use build::{Builder, Guide, Mesh, NewLink, Push, Turn};
 pub use centers::CentersShown;
 pub use choices::{
     CenterName, ConstructionShown, CoriolisName, DecimalMark, ForceUnit, FrameName, LanguageName, LengthUnit, MassUnit,

@@ -273,6 +273,8 @@ messages! { "scene":
     pin_the_wheel;
     two_wheel_pins(wheel, carrier, first, second);
     one_wheel_pin;
+    no_forces_of_gears;
+    remove_gears_or_loads;
 
     // Masses and loads.
     mass_and_weight(link);

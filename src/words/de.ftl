@@ -95,6 +95,7 @@ angle_of_crossing = Schnittwinkel {$degrees}°
 
 permanent_centers = Die bleibenden Pole markieren: {$centers}.
 center_in = {$center} in {$point}
+center_of_mesh = {$center} im Wälzpunkt
 center_normal_to = {$center} im Unendlichen, normal zur Führung von {$guide}
 center_line = {$first} und {$second} verbinden; {$center} liegt auf dieser Geraden.
 center_line_towards = Durch {$first} die Gerade zu {$second} im Unendlichen ziehen; {$center} liegt auf ihr.
@@ -853,6 +854,8 @@ scene-wheel_not_on_carrier = {$wheel} hat keinen Zapfen auf {$carrier}, das Glie
 scene-pin_the_wheel = nennen Sie die Mitte des Rads auf beiden: einen Punkt des Rads und des Trägers
 scene-two_wheel_pins = {$wheel} und {$carrier} haben {$first} und {$second} gemeinsam, sind also starr verbunden
 scene-one_wheel_pin = ein Rad dreht sich um einen Punkt seines Trägers
+scene-no_forces_of_gears = von Getrieben mit Zahnradpaaren werden keine Kräfte berechnet
+scene-remove_gears_or_loads = entfernen Sie Massen, `gravity`, `forces` und `springs` aus der Szene, oder ihre `gears`
 
 # Masses and loads.
 
@@ -977,6 +980,9 @@ mechanism-angle_in_drive = geben Sie im Antrieb an, wo er steht, oder den Winkel
 mechanism-mirror_image = Glied {$link}: seine Längen passen zu einem Dreieck und zu dessen Spiegelbild; genommen wird {$points}, gegen den Uhrzeigersinn. Um zu wählen, geben Sie in `near` ungefähre Orte seiner Punkte an
 mechanism-singular = Glieder {$links} haben in keiner Stellung eine bestimmte Bewegung: eine Gruppe der Klasse {$class} mit Schubgelenken wie in {$pattern} ist durch ihre Struktur singulär
 mechanism-make_revolute = machen Sie eines der Schubgelenke zum Drehgelenk
+mechanism-train_without_ratio = aus den Zähnezahlen folgen die Winkel der Glieder {$links} nicht: die Räder drehen sich gleich, was auch der Steg tut, so dass nichts ihn antreibt
+mechanism-other_teeth = geben Sie andere Zähnezahlen an, so dass die Standübersetzung nicht 1 ist, oder treiben Sie den Steg an
+mechanism-two_radii = Rad {$link} mit {$teeth} Zähnen hätte zwei Wälzkreisradien, {$first} und {$second}: prüfen Sie Zähnezahlen und Achsabstände
 
 # Too few or too many constraints.
 
@@ -2392,6 +2398,8 @@ page-kinds-title-stephenson-3 = Stephenson III, sechs Glieder
 page-kinds-title-whitworth = Umlaufende Kurbelschleife (Whitworth)
 page-kinds-title-toggle-press = Kniehebelpresse
 page-kinds-title-five-bar = Fünfgelenk mit zwei Antrieben
+page-kinds-title-geared-five-bar = Fünfgelenk mit Zahnrädern
+page-kinds-title-planetary = Planetengetriebe
 page-kinds-title-platform-3rrr = 3-RRR-Plattform
 page-kinds-title-third-class = Kurbel mit Gruppe III. Klasse
 page-kinds-title-fourth-class = Kurbel mit Gruppe IV. Klasse
@@ -2408,6 +2416,8 @@ page-kinds-note-dyad-rpr = Wie an der Tafel gezeichnet: „points“ gibt alle K
 page-kinds-note-dyad-rrp = Wie an der Tafel gezeichnet: „points“ gibt alle Koordinaten an, „known“ die Bewegung des äußeren Gelenks B. Die Führung ist fest.
 page-kinds-note-dyad-rrr = Wie an der Tafel gezeichnet: „points“ gibt alle Koordinaten an, „known“ die Bewegung der äußeren Gelenke B und D. Die Glieder 1 und 4 sind die Nachbarn, als Stummel gezeichnet.
 page-kinds-note-five-bar = Zwei Freiheitsgrade und daher zwei Antriebe: Die Kurbeln 1 und 4 bewegen Punkt C, jede mit eigenem Winkel, omega und alpha.
+page-kinds-note-geared-five-bar = Die Kurbeln 1 und 4 sind Zahnräder, die ineinander greifen; der Zweischlag 2, 3 zwischen ihnen bewegt C.
+page-kinds-note-planetary = Sonne 3 treibt Planet 2, der im festen Hohlrad abrollt und Steg 1 mitnimmt.
 page-kinds-note-four-bar = Kurbel 1 treibt über Koppel 2 die Schwinge 3 an. Punkte, die an zwei Gliedern genannt sind, sind Gelenke zwischen ihnen.
 page-kinds-note-fourth-class = Die Glieder 2 und 4 sind durch die Schlussglieder 3 und 5 verbunden, die die geschlossene Schleife C-D-F-G bilden. Die Pläne brauchen einen Sonderpunkt (Assurschen Punkt) von Glied 3 oder 5.
 page-kinds-note-hydraulic-boom = Zylinder 2 und Kolbenstange 3 sind ein Glied zwischen den Gelenken A und C, dessen Länge der Antrieb ändert: Sie drehen sich gemeinsam und bilden mit dem Ausleger einen Zweischlag.

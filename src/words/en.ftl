@@ -101,6 +101,7 @@ angle_of_crossing = angle of crossing {$degrees}°
 
 permanent_centers = Mark the permanent centres: {$centers}.
 center_in = {$center} in {$point}
+center_of_mesh = {$center} in the pitch point
 center_normal_to = {$center} at infinity, normal to the guide of {$guide}
 center_line = Join {$first} and {$second}; {$center} lies on this line.
 center_line_towards = Through {$first} draw the line towards {$second}, at infinity; {$center} lies on it.
@@ -883,6 +884,8 @@ scene-wheel_not_on_carrier = {$wheel} has no pin on {$carrier}, which carries th
 scene-pin_the_wheel = name the wheel's centre on both: a point of the wheel and of the carrier
 scene-two_wheel_pins = {$wheel} and {$carrier} have both {$first} and {$second} in common, so they are rigid
 scene-one_wheel_pin = a wheel turns about one point of its carrier
+scene-no_forces_of_gears = forces are not computed of mechanisms with gear pairs
+scene-remove_gears_or_loads = remove masses, `gravity`, `forces` and `springs` from the scene, or its `gears`
 
 # Masses and loads.
 
@@ -1007,6 +1010,9 @@ mechanism-angle_in_drive = say in the drive where it stands, or give the angle o
 mechanism-mirror_image = link {$link}: its lengths fit a triangle and its mirror image; the counter-clockwise one {$points} is taken. Give rough places of its points in `near` to choose
 mechanism-singular = links {$links} have no definite motion in any position: a group of class {$class} with its prismatic joints as in {$pattern} is singular by its structure
 mechanism-make_revolute = make one of the prismatic joints revolute
+mechanism-train_without_ratio = the teeth do not tell the angles of links {$links}: the wheels turn alike whatever the arm does, so nothing drives it
+mechanism-other_teeth = give other numbers of teeth, so that the basic ratio of the train is not 1, or drive the arm
+mechanism-two_radii = wheel {$link} with {$teeth} teeth would have two pitch radii, {$first} and {$second}: check teeth and centre distances
 
 # Too few or too many constraints.
 

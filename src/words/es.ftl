@@ -93,6 +93,7 @@ angle_of_crossing = ángulo de corte {$degrees}°
 
 permanent_centers = Marcar los centros permanentes: {$centers}.
 center_in = {$center} en {$point}
+center_of_mesh = {$center} en el punto primitivo
 center_normal_to = {$center} en el infinito, normal a la guía de {$guide}
 center_line = Unir {$first} y {$second}; {$center} está sobre esta recta.
 center_line_towards = Trazar por {$first} la recta hacia {$second}, en el infinito; {$center} está sobre ella.
@@ -851,6 +852,8 @@ scene-wheel_not_on_carrier = {$wheel} no tiene pasador en {$carrier}, que lleva 
 scene-pin_the_wheel = nombre el centro de la rueda en ambos: un punto de la rueda y del portador
 scene-two_wheel_pins = {$wheel} y {$carrier} tienen en común {$first} y {$second}, así que son rígidos
 scene-one_wheel_pin = una rueda gira sobre un punto de su portador
+scene-no_forces_of_gears = no se calculan fuerzas de mecanismos con pares de engranajes
+scene-remove_gears_or_loads = quite masas, `gravity`, `forces` y `springs` de la escena, o sus `gears`
 
 # Masses and loads.
 
@@ -975,6 +978,9 @@ mechanism-angle_in_drive = diga en el accionamiento dónde está, o dé el ángu
 mechanism-mirror_image = eslabón {$link}: sus longitudes valen para un triángulo y para su imagen especular; se toma el antihorario {$points}. Para elegir, dé lugares aproximados de sus puntos en `near`
 mechanism-singular = los eslabones {$links} no tienen un movimiento definido en ninguna posición: un grupo de clase {$class} con los pares prismáticos como en {$pattern} es singular por su estructura
 mechanism-make_revolute = convierta uno de los pares prismáticos en rotatorio
+mechanism-train_without_ratio = los dientes no dan los ángulos de los eslabones {$links}: las ruedas giran igual haga lo que haga el brazo, así que nada lo mueve
+mechanism-other_teeth = dé otros números de dientes, de modo que la relación básica del tren no sea 1, o accione el brazo
+mechanism-two_radii = la rueda {$link} de {$teeth} dientes tendría dos radios primitivos, {$first} y {$second}: revise dientes y distancias entre centros
 
 # Too few or too many constraints.
 
@@ -2390,6 +2396,8 @@ page-kinds-title-stephenson-3 = Stephenson III, seis eslabones
 page-kinds-title-whitworth = Retorno rápido de Whitworth
 page-kinds-title-toggle-press = Prensa de rodillera
 page-kinds-title-five-bar = Cinco eslabones con dos accionamientos
+page-kinds-title-geared-five-bar = Cinco eslabones con engranajes
+page-kinds-title-planetary = Tren planetario
 page-kinds-title-platform-3rrr = Plataforma 3-RRR
 page-kinds-title-third-class = Grupo de tercera clase
 page-kinds-title-fourth-class = Grupo de cuarta clase
@@ -2406,6 +2414,8 @@ page-kinds-note-dyad-rpr = Como se dibuja en la pizarra: «points» da cada coor
 page-kinds-note-dyad-rrp = Como se dibuja en la pizarra: «points» da cada coordenada, «known» el movimiento del perno exterior B. La guía es fija.
 page-kinds-note-dyad-rrr = Como se dibuja en la pizarra: «points» da cada coordenada, «known» el movimiento de los pernos exteriores B y D. Los eslabones 1 y 4 son los vecinos, dibujados como tocones.
 page-kinds-note-five-bar = Dos grados de libertad y por eso dos accionamientos: las manivelas 1 y 4 mueven el punto C, cada una con su ángulo, su omega y su alpha.
+page-kinds-note-geared-five-bar = Las manivelas 1 y 4 son ruedas que engranan; la díada 2, 3 entre ellas mueve C.
+page-kinds-note-planetary = El sol 3 mueve el planeta 2, que rueda en la corona fija y arrastra el brazo 1.
 page-kinds-note-four-bar = La manivela 1 mueve el balancín 3 por medio de la biela 2. Los puntos nombrados en dos eslabones son articulaciones entre ellos.
 page-kinds-note-fourth-class = Los eslabones 2 y 4 están unidos por los eslabones 3 y 5, que forman el contorno cerrado C-D-F-G. Los planos necesitan un punto especial (de Assur) del eslabón 3 o 5.
 page-kinds-note-hydraulic-boom = El cilindro 2 y el vástago 3 son un eslabón entre los pernos A y C cuya longitud cambia el accionamiento: giran juntos, y con la pluma forman una díada.

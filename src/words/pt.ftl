@@ -95,6 +95,7 @@ angle_of_crossing = ângulo de cruzamento {$degrees}°
 
 permanent_centers = Marcar os centros permanentes: {$centers}.
 center_in = {$center} em {$point}
+center_of_mesh = {$center} no ponto primitivo
 center_normal_to = {$center} no infinito, normal à guia de {$guide}
 center_line = Unir {$first} e {$second}; {$center} está sobre esta reta.
 center_line_towards = Traçar por {$first} a reta para {$second}, no infinito; {$center} está sobre ela.
@@ -853,6 +854,8 @@ scene-wheel_not_on_carrier = {$wheel} não tem pino em {$carrier}, que leva o pa
 scene-pin_the_wheel = nomeie o centro da roda em ambos: um ponto da roda e do suporte
 scene-two_wheel_pins = {$wheel} e {$carrier} têm em comum {$first} e {$second}, portanto são rígidos
 scene-one_wheel_pin = uma roda gira em torno de um ponto do seu suporte
+scene-no_forces_of_gears = não se calculam forças de mecanismos com pares de engrenagens
+scene-remove_gears_or_loads = remova massas, `gravity`, `forces` e `springs` da cena, ou suas `gears`
 
 # Masses and loads.
 
@@ -977,6 +980,9 @@ mechanism-angle_in_drive = diga no acionamento onde ele está, ou dê o ângulo 
 mechanism-mirror_image = elo {$link}: seus comprimentos servem para um triângulo e para sua imagem espelhada; toma-se o anti-horário {$points}. Para escolher, dê lugares aproximados dos seus pontos em `near`
 mechanism-singular = os elos {$links} não têm movimento definido em nenhuma posição: um grupo de classe {$class} com as juntas prismáticas como em {$pattern} é singular por sua estrutura
 mechanism-make_revolute = transforme uma das juntas prismáticas em junta de rotação
+mechanism-train_without_ratio = os dentes não dão os ângulos dos elos {$links}: as rodas giram do mesmo modo faça o que fizer o braço, portanto nada o move
+mechanism-other_teeth = dê outros números de dentes, de modo que a relação básica do trem não seja 1, ou acione o braço
+mechanism-two_radii = a roda {$link} de {$teeth} dentes teria dois raios primitivos, {$first} e {$second}: confira dentes e distâncias entre centros
 
 # Too few or too many constraints.
 
@@ -2392,6 +2398,8 @@ page-kinds-title-stephenson-3 = Stephenson III, seis barras
 page-kinds-title-whitworth = Retorno rápido de Whitworth
 page-kinds-title-toggle-press = Prensa de joelho
 page-kinds-title-five-bar = Cinco barras com dois acionamentos
+page-kinds-title-geared-five-bar = Cinco barras com engrenagens
+page-kinds-title-planetary = Trem planetário
 page-kinds-title-platform-3rrr = Plataforma 3-RRR
 page-kinds-title-third-class = Manivela com grupo de terceira classe
 page-kinds-title-fourth-class = Manivela com grupo de quarta classe
@@ -2408,6 +2416,8 @@ page-kinds-note-dyad-rpr = Como se desenha no quadro: "points" dá cada coordena
 page-kinds-note-dyad-rrp = Como se desenha no quadro: "points" dá cada coordenada, "known" o movimento do pino externo B. A guia é fixa.
 page-kinds-note-dyad-rrr = Como se desenha no quadro: "points" dá cada coordenada, "known" o movimento dos pinos externos B e D. Os elos 1 e 4 são os vizinhos, mostrados como tocos.
 page-kinds-note-five-bar = Dois graus de liberdade, portanto dois acionamentos: as manivelas 1 e 4 movem o ponto C, cada uma com seu ângulo, seu omega e seu alpha.
+page-kinds-note-geared-five-bar = As manivelas 1 e 4 são rodas que engrenam; a díade 2, 3 entre elas move C.
+page-kinds-note-planetary = O solar 3 move o planeta 2, que rola na coroa fixa e arrasta o braço 1.
 page-kinds-note-four-bar = A manivela 1 move o balancim 3 por meio da biela 2. Pontos nomeados em dois elos são juntas entre eles.
 page-kinds-note-fourth-class = Os elos 2 e 4 estão unidos pelos elos de fechamento 3 e 5, que formam o contorno fechado C-D-F-G. Os polígonos precisam de um ponto especial (de Assur) do elo 3 ou 5.
 page-kinds-note-hydraulic-boom = O cilindro 2 e a haste 3 são um elo entre os pinos A e C cujo comprimento o acionamento muda: giram juntos, e com a lança formam uma díade.

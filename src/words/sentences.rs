@@ -127,9 +127,10 @@ sentences! {
     angle_of_crossing(degrees);
 
     // Instant centres.
-    /// The list of `center_in` and `center_normal_to`.
+    /// The list of `center_in`, `center_of_mesh` and `center_normal_to`.
     permanent_centers(centers);
     center_in(center, point);
+    center_of_mesh(center);
     center_normal_to(center, guide);
     center_line(first, second, center);
     /// Where the second is at infinity.

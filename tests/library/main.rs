@@ -83,6 +83,7 @@ mod forces;
 mod forms;
 mod fuzzed;
 mod gallery_measured;
+mod gears;
 mod given_angle;
 mod growth;
 mod hall;

@@ -104,6 +104,17 @@ impl Writer<'_> {
                 }
             }
         }
+        for id in self.mechanism.joint_ids() {
+            let joint = self.mechanism.joint(id);
+            if let Some(pitch) = joint.pitch.filter(|_| joint.bodies.iter().all(|body| links.contains(body))) {
+                let exact = |point: PointId| Pair::between(self.construction.origin, self.pose.point(point));
+                let exact = pitch.point(pitch.centers.map(exact));
+                let role = OperationRole::Center(CenterId(self.drawn_centers().all.len()));
+                let place = self.plot_exact(Sheet::Centers, role, exact);
+                let at = Place::At(self.construction.origin + exact.rounded());
+                self.add_permanent(joint.bodies, CenterOrigin::Mesh(id), Spot::At(place), at);
+            }
+        }
         for id in self.mechanism.slider_ids() {
             let slider = self.mechanism.slider(id);
             if links.contains(&slider.link) && links.contains(&slider.on) {

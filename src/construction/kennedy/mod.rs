@@ -21,7 +21,7 @@ use super::constructed::Agreement;
 use super::operation::{Along, LineId, PlaceId};
 use crate::centers::LinkPair;
 use crate::geometry::Place;
-use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
 
 /// Index of a centre among [`Centers::all`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -85,6 +85,8 @@ pub enum Spot {
 pub enum CenterOrigin {
     /// A pin of both links, which is permanent.
     Pin(PointId),
+    /// The pitch point of two wheels that mesh.
+    Mesh(JointId),
     /// A guide: at infinity in every position, normal to the guide.
     Guide(SliderId),
     /// The crossing of two lines.

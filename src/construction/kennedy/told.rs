@@ -145,6 +145,7 @@ impl Teller<'_> {
         let (language, symbol) = (self.words.language, self.center_symbol(center.pair, center.figure));
         match center.origin {
             CenterOrigin::Pin(point) => language.center_in(&symbol, &display(self.mechanism.point_name(point))),
+            CenterOrigin::Mesh(_) => language.center_of_mesh(&symbol),
             CenterOrigin::Guide(slider) => language.center_normal_to(&symbol, &self.slider_name(slider)),
             CenterOrigin::Lines { .. } => symbol,
         }

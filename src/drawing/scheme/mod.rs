@@ -9,19 +9,17 @@ pub(super) mod on_paper;
 mod points;
 pub(super) mod sliders;
 mod values;
+mod wheels;
 
 pub(super) use sliders::{BLOCK, above};
 
 use super::canvas::Canvas;
 use super::context::SheetContext;
-use super::shape::Shape;
-use super::sheet::Pen;
 use super::view::View;
 use crate::construction::{Action, NumberedStep, Ray, RayOf};
 use crate::geometry;
 use crate::mechanism::{GROUND, PointId, Role};
-use on_paper::{SchemeOnPaper, circles};
-use std::f64::consts::PI;
+use on_paper::SchemeOnPaper;
 
 /// Draws the scheme.
 pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
@@ -115,22 +113,6 @@ pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext
 }
 
 impl SchemeOnPaper<'_> {
-    /// Draws the circles larger than that of a pin.
-    fn wheels(&self, canvas: &mut Canvas<'_>) {
-        for (center, radius) in circles(self.mechanism, self.pose) {
-            let (center, rim) = (self.pose.point(center), geometry::Vector::new(radius, 0.0));
-            let (center, rim) = (self.view.at(center), self.view.at(center + rim));
-            let radius = (rim - center).hypot();
-            if radius <= self.dims().joint {
-                continue;
-            }
-            // Two half circles: unlike a full circle they leave the inside free for a label.
-            for start in [0.0, PI] {
-                canvas.draw(Pen::Guide, Shape::Arc { center, radius, start, sweep: PI });
-            }
-        }
-    }
-
     /// The segment of the cut line to which a ray is normal, from its joint to the special point.
     fn line_of(&self, ray: &Ray) -> Option<(geometry::Point, geometry::Point)> {
         match ray.of {

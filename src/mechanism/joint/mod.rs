@@ -7,11 +7,12 @@
 mod gear;
 mod slider;
 
+pub(super) use gear::unlike_wheels;
 pub(super) use slider::guide_line;
 pub use slider::{DrivenSlide, Guide, Slider};
 
 use super::{BodyId, JointId, Mechanism, PointId, SliderId};
-use crate::geometry::{Point, Turn, Vector, degrees_of, turn_of_degrees};
+use crate::geometry::{Number, Pair, Point, Turn, Vector, degrees_of, turn_of_degrees};
 use crate::scene::Scene;
 use smallvec::{SmallVec, smallvec};
 
@@ -42,18 +43,26 @@ pub struct Joint {
 pub struct Pitch {
     /// The centres of the wheels, on their carrier.
     pub centers: [PointId; 2],
-    /// How far from the first centre towards the second it lies, in parts of their distance: z₁ / (z₁ + z₂), beyond the wheel in a ring, which
-    /// has negative teeth.
-    pub share: f64,
+    /// Their numbers of teeth in the smallest whole numbers, that of a ring negative.
+    pub teeth: [i32; 2],
+    /// The numbers of teeth themselves.
+    pub all_teeth: [i32; 2],
     /// The angle of the line of action from the common tangent, in degrees.
     pub pressure_deg: f64,
 }
 
 impl Pitch {
+    /// How far from the first centre towards the second it lies, in parts of their distance: z₁ / (z₁ + z₂), beyond the wheel in a ring.
+    #[must_use]
+    pub fn share<N: Number + From<f64>>(&self) -> N {
+        let [first, second] = self.teeth.map(f64::from);
+        N::from(first) / N::from(first + second)
+    }
+
     /// The pitch point where the centres are at these places.
     #[must_use]
-    pub fn point(&self, [first, second]: [Point; 2]) -> Point {
-        first + (second - first) * self.share
+    pub fn point<N: Number + From<f64>>(&self, [first, second]: [Pair<N>; 2]) -> Pair<N> {
+        first.plus_scaled(second - first, self.share())
     }
 }
 
