@@ -19,7 +19,7 @@ use std::fs;
 use support::files as repository;
 
 /// Kinds of `kinegon new` in its order, their scenes, and what each teaches.
-const KINDS: [(&str, &str, &str); 19] = [
+const KINDS: [(&str, &str, &str); 21] = [
     (
         "four-bar",
         "templates/four-bar.json",

@@ -79,10 +79,11 @@ fn tried(screen: &Screen, text: &str, drawing: &HandDrawing) {
     assert_eq!(screen.judge.steps(drawing).len(), drawing.did.len());
     if let Some(judged) = judged {
         judged.result(&screen.judge, drawing, &screen.words()).report(&screen.words());
-        // Whatever can be carried out, its beginning can.
+        // Whatever can be carried out, its beginning can, but for what is taken back later.
         let mut half = drawing.clone();
         half.did.truncate(drawing.did.len() / 2);
-        assert!(screen.judge.judge(&half).is_ok());
+        let takes_back = drawing.did.iter().any(|entry| matches!(entry, Entry::Undo(_)));
+        assert!(takes_back || screen.judge.judge(&half).is_ok());
     }
 }
 

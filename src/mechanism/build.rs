@@ -102,7 +102,7 @@ fn check_gauges(scene: &Scene, mechanism: &Mechanism) -> Result<(), StructureErr
     for (index, gauge) in gauges {
         let Gauge::Position(name) = gauge else { continue };
         let message = match mechanism.slider_named(name) {
-            None => says::over_no_slider(name),
+            None => says::over_no_slider(shown(name)),
             Some(id) if scene.given_by == GivenBy::Drawing && mechanism.slider(id).counted_from.is_none() => {
                 says::over_no_zero(name)
             }

@@ -359,7 +359,7 @@ impl Places<'_> {
         if on == "ground" {
             return match &at {
                 LinkPlace::Point(point) if !self.names.on_ground(point) => {
-                    Err(Wrong::value(&["1"], says::no_point_of_ground(point)))
+                    Err(Wrong::value(&["1"], says::no_point_of_ground(shown(point))))
                 }
                 LinkPlace::Distance(_) => Err(Wrong::value(&["1"], says::distance_on_ground())),
                 _ => Ok(SpringEnd { on: On::Ground, at }),
@@ -375,10 +375,10 @@ impl Places<'_> {
 fn own_name(given: Option<String>, letter: &str, number: usize, taken: &mut IndexSet<String>) -> Result<String, Wrong> {
     let name = given.unwrap_or_else(|| format!("{letter}{number}"));
     if name.trim().is_empty() || name.contains(['(', ')', ',']) {
-        return Err(Wrong::value(&["name"], says::load_name(&name)).hint(says::other_load_name()));
+        return Err(Wrong::value(&["name"], says::load_name(shown(&name))).hint(says::other_load_name()));
     }
     if !taken.insert(name.clone()) {
-        return Err(Wrong::value(&["name"], says::load_name_twice(&name)).hint(says::other_load_name()));
+        return Err(Wrong::value(&["name"], says::load_name_twice(shown(&name))).hint(says::other_load_name()));
     }
     Ok(name)
 }
