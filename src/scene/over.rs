@@ -28,8 +28,7 @@ const TURN: f64 = 360.0;
 pub(super) struct OverFile {
     /// What it depends on: `angle(1)`, the angle of a link, or `position(3/ground)`, the position of a slider.
     of: String,
-    /// Pairs: an angle in degrees or a position, and how many times the given force and couple act there. The program reads them from a
-    /// file, too, whose path stands here.
+    /// Pairs: an angle in degrees or a position, and how many times the given force and couple act there; or a file with them.
     table: Table,
 }
 
@@ -59,7 +58,7 @@ impl<'de> Visitor<'de> for Lines {
 
 impl JsonSchema for Table {
     fn schema_name() -> std::borrow::Cow<'static, str> {
-        "table".into()
+        "loadTable".into()
     }
 
     fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
