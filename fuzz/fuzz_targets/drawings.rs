@@ -6,7 +6,7 @@
 #[path = "../support.rs"]
 mod support;
 
-use kinegon::board::{HandDrawing, Judge, Pressed, Screen};
+use kinegon::board::{Entry, HandDrawing, Judge, Pressed, Screen};
 use kinegon::check::AnswerKey;
 use kinegon::{Scene, Sheet};
 use libfuzzer_sys::{Corpus, fuzz_mutator, fuzz_target, fuzzer_mutate};

@@ -11,6 +11,7 @@ use super::{
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::message::Message;
 use crate::scene::{Along, Gauge, GivenBy, Link, Scene, Shape};
+use crate::text::shown;
 use indexmap::{IndexMap, IndexSet};
 use std::cell::LazyCell;
 use std::f64::consts::{PI, TAU};

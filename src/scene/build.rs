@@ -48,7 +48,7 @@ use super::write::{Write, Written, text_of};
 #[derive(Debug, Clone)]
 #[must_use]
 pub struct Builder {
-    file: Object,
+    pub(super) file: Object,
     /// The figure, which may have more than a file can say.
     figure: Option<Figure>,
 }
@@ -97,10 +97,6 @@ impl Builder {
         self.sliding(slot.0.with("pin", pin))
     }
 
-    fn sliding(self, slider: Object) -> Builder {
-        self.listed("sliders", slider)
-    }
-
     /// Lets two wheels mesh that turn on pins of one carrier: links, or `"ground"`.
     ///
     /// ```
@@ -117,17 +113,14 @@ impl Builder {
     /// assert_eq!(solution.motion.body(solution.mechanism.link("2").expect("a wheel")).omega, -4.0);
     /// # Ok::<(), kinegon::scene::SceneError>(())
     /// ```
-    pub fn gear(self, wheels: [&str; 2], mesh: Mesh) -> Builder {
-        self.listed("gears", mesh.0.with("mesh", &wheels.map(str::to_owned).to_vec()))
+    pub fn gear(mut self, wheels: [&str; 2], mesh: Mesh) -> Builder {
+        let gear = mesh.0.with("mesh", &wheels.map(str::to_owned).to_vec());
+        self.file.push("gears", gear.in_order(&["gears", ""]));
+        self
     }
 
-    /// Adds an entry to a list of joints.
-    fn listed(mut self, list: &str, joint: Object) -> Builder {
-        let joint = joint.in_order(&[list, ""]).written();
-        match self.file.slot(list) {
-            Written::List(joints) => joints.push(joint),
-            none => *none = Written::List(vec![joint]),
-        }
+    fn sliding(mut self, slider: Object) -> Builder {
+        self.file.push("sliders", slider.in_order(&["sliders", ""]));
         self
     }
 
@@ -178,16 +171,16 @@ impl Builder {
 
 /// An object of the file. A key that is set twice stands there twice, and is refused as in any file.
 #[derive(Debug, Clone, Default)]
-struct Object(Vec<(String, Written)>);
+pub(super) struct Object(Vec<(String, Written)>);
 
 impl Object {
-    fn with(mut self, key: &str, value: &(impl Write + ?Sized)) -> Object {
+    pub fn with(mut self, key: &str, value: &(impl Write + ?Sized)) -> Object {
         self.0.push((key.to_owned(), value.written()));
         self
     }
 
     /// The value of a key, for one that may be set again.
-    fn slot(&mut self, key: &str) -> &mut Written {
+    pub fn slot(&mut self, key: &str) -> &mut Written {
         let index = self.0.iter().position(|(own, _)| own == key).unwrap_or(self.0.len());
         if index == self.0.len() {
             self.0.push((key.to_owned(), Written::Nothing));
@@ -195,8 +188,21 @@ impl Object {
         &mut self.0[index].1
     }
 
+    pub fn with_list(mut self, key: &str, list: Vec<Written>) -> Object {
+        self.0.push((key.to_owned(), Written::List(list)));
+        self
+    }
+
+    /// Adds an object to the list under a key.
+    pub fn push(&mut self, key: &str, object: Object) {
+        match self.slot(key) {
+            Written::List(list) => list.push(object.written()),
+            none => *none = Written::List(vec![object.written()]),
+        }
+    }
+
     /// Adds an entry to the object under a key.
-    fn add(&mut self, key: &str, name: &str, value: &impl Write) {
+    pub fn add(&mut self, key: &str, name: &str, value: &impl Write) {
         let entry = (name.to_owned(), value.written());
         match self.slot(key) {
             Written::Object(entries) => entries.push(entry),
@@ -205,7 +211,7 @@ impl Object {
     }
 
     /// With its keys in the order in which people write them, as the object at that path.
-    fn in_order(mut self, path: &[&str]) -> Object {
+    pub fn in_order(mut self, path: &[&str]) -> Object {
         let order = key_order(path);
         self.0.sort_by_key(|(key, _)| order.iter().position(|known| known == key));
         self
@@ -221,7 +227,7 @@ impl Write for Object {
 /// A link for [`Builder::link`](super::Builder::link).
 #[derive(Debug, Clone)]
 #[must_use]
-pub struct NewLink(Object);
+pub struct NewLink(pub(super) Object);
 
 impl NewLink {
     /// A link with these points. Its axis runs from the first to the second.
