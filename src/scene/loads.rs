@@ -10,6 +10,7 @@ use super::over::{Over, OverFile};
 use super::says;
 use super::value::{Direction, OneOf, Vector, choice, several_forms};
 use super::write::{Write, Written, write_forms, write_keys};
+use crate::text::shown;
 use indexmap::{IndexMap, IndexSet};
 use schemars::JsonSchema;
 use serde::Deserialize;
