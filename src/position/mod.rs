@@ -13,6 +13,8 @@
 //! solved, and counted, one by one. Modes are numbered by the angle of the group's first link that turns,
 //! counter-clockwise from +x.
 //!
+//! Wheels and arms whose angles follow from meshes alone have one assembly: whole turns of drives count (`wheels`).
+//!
 //! Where a link's angle is given in place of a drive's, positions are found on a second mechanism
 //! (`mechanism/build.rs`): the drive lets go, and a carriage on two sliders holds that link at its angle; motions
 //! are those of the scene's own mechanism.
