@@ -252,9 +252,9 @@ impl Screen {
     }
 
     pub(super) fn point_label(&self, sheet: Sheet, name: &str, labels: &SheetLabels<'_>) -> String {
-        match self.judge.given().construction().plan_on(sheet) {
-            Some(plan) => html_text(&labels.plan_point(plan, name)),
-            None => html_text(&RichText::math(&crate::construction::display(name))),
+        match sheet {
+            Sheet::Scheme => html_text(&RichText::math(&crate::construction::display(name))),
+            _ => html_text(&labels.place(sheet, name)),
         }
     }
 

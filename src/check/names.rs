@@ -312,6 +312,9 @@ impl<'a> Names<'a> {
         let construction = &self.solution.construction;
         let name = written.trim().replace('′', "'");
         let Some(plan) = construction.plan_on(sheet) else {
+            if let Some(center) = self.usual_center(&name).filter(|_| sheet == Sheet::Centers) {
+                return center;
+            }
             let known = self.scheme_points().any(|known| known == name);
             let labelled = || self.scheme_points().find(|known| self.point(sheet, known).as_ref() == Some(&name));
             return if known { name } else { labelled().map_or(name.clone(), str::to_owned) };

@@ -8,6 +8,7 @@ use super::canvas::Canvas;
 use super::clip::{clipped_segment, holds};
 use super::context::SheetContext;
 use super::labels::LabelRequest;
+use super::panel::Layer;
 use super::scheme;
 use super::shape::Shape;
 use super::sheet::Pen;
@@ -76,6 +77,19 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     panel.velocities(canvas);
     diagram::draw(&panel, canvas);
     canvas.step = 0;
+}
+
+/// The layer with the lines and the centres that they lead to, on paper that has the mechanism already.
+pub(super) fn lines_alone<'a>(context: &'a SheetContext<'a>) -> Layer<'a> {
+    Box::new(move |canvas: &mut Canvas<'_>, view: &View| {
+        let Some(centers) = context.construction().centers.as_deref() else { return };
+        let panel = CentersOnPaper { view, context, centers, steps: CenterSteps::of(context, centers) };
+        panel.lines(canvas);
+        panel.marks(canvas);
+        panel.far(canvas);
+        panel.velocities(canvas);
+        canvas.step = 0;
+    })
 }
 
 /// Draws the hints of the steps: the distances from which an angular velocity follows.

@@ -1215,6 +1215,7 @@ check-write_values = schreiben Sie Ihre Werte neben die Namen; `kinegon check SC
 check-points_without_scale = die Orte der Punkte sind in Millimetern Papier, aber Ihr Maßstab {$scale} fehlt
 check-add_scale_of = ergänzen Sie {$scale}, den Maßstab von Ihrem {$sheet}
 check-no_pole = bei den Orten im {$sheet} fehlt sein Pol {$pole}
+check-no_origin = {$sheet}: es fehlt der Ort von {$point}, von dem aus die anderen gemessen sind
 check-add_pole = ergänzen Sie "{$pole}": [x, y]
 check-no_length_on_paper = `{$name}` ist keine Länge auf dem Papier, daher kann `/mu` nicht folgen
 check-write_in = schreiben Sie es in {$unit}

@@ -1248,6 +1248,7 @@ check-write_values = write your values beside the names; `kinegon check SCENE --
 check-points_without_scale = places of points are in millimetres of paper, but your scale {$scale} is missing
 check-add_scale_of = add {$scale}, the scale of your {$sheet}
 check-no_pole = the places of the {$sheet} do not have its pole {$pole}
+check-no_origin = {$sheet}: the place of {$point} is missing, from which the others are measured
 check-add_pole = add "{$pole}": [x, y]
 check-no_length_on_paper = `{$name}` is no length on paper, so `/mu` cannot follow it
 check-write_in = write it in {$unit}

@@ -1213,6 +1213,7 @@ check-write_values = escriba sus valores junto a los nombres; `kinegon check SCE
 check-points_without_scale = los lugares de los puntos están en milímetros de papel, pero falta su escala {$scale}
 check-add_scale_of = añada {$scale}, la escala de su {$sheet}
 check-no_pole = los lugares del {$sheet} no tienen su polo {$pole}
+check-no_origin = {$sheet}: falta el lugar de {$point}, desde el que se miden los demás
 check-add_pole = añada "{$pole}": [x, y]
 check-no_length_on_paper = `{$name}` no es una longitud en el papel, así que no puede llevar `/mu`
 check-write_in = escríbalo en {$unit}

@@ -1215,6 +1215,7 @@ check-write_values = escreva seus valores ao lado dos nomes; `kinegon check SCEN
 check-points_without_scale = os lugares dos pontos estão em milímetros de papel, mas falta sua escala {$scale}
 check-add_scale_of = acrescente {$scale}, a escala do seu {$sheet}
 check-no_pole = os lugares do {$sheet} não têm seu polo {$pole}
+check-no_origin = {$sheet}: falta o lugar de {$point}, a partir do qual os outros são medidos
 check-add_pole = acrescente "{$pole}": [x, y]
 check-no_length_on_paper = `{$name}` não é um comprimento no papel, portanto não pode levar `/mu`
 check-write_in = escreva-o em {$unit}
