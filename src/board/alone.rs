@@ -38,12 +38,12 @@ impl Bench<'_> {
                 // Two points that are there are joined rightly, whatever for.
                 Held::Nothing => Found::Own,
                 Held::All => Found::Right,
-                Held::Not(point) => Found::Wrong(says::line_misses(point)),
+                Held::Not(point) => Found::Wrong(says::line_misses(self.shown(&point))),
             },
             (Entry::Mark(_), Made::Place(sheet, name, at)) if given.place(*sheet, name).is_some() => {
                 match self.is_at_crossing(*sheet, name, *at) || self.is_near_expected(*sheet, name, *at) {
                     true => Found::Right,
-                    false => Found::Wrong(says::point_elsewhere(name)),
+                    false => Found::Wrong(says::point_elsewhere(self.shown(name))),
                 }
             }
             (Entry::Mark(_), _) => Found::Own,
@@ -57,6 +57,10 @@ impl Bench<'_> {
         }
     }
 
+    fn shown(&self, name: &str) -> String {
+        self.judge.given().shown(name)
+    }
+
     fn found_line(&self, line: &Line, name: &str, is_typed: bool) -> Found {
         let mut missed = None;
         for one in &self.meant(line) {
@@ -67,12 +71,12 @@ impl Bench<'_> {
                     None => return Found::Right,
                     Some(off) => missed = Some(off),
                 },
-                Held::Not(point) => missed = missed.or_else(|| Some(says::line_misses(point))),
+                Held::Not(point) => missed = missed.or_else(|| Some(says::line_misses(self.shown(&point)))),
             }
         }
         match (missed, self.targets.get(name)) {
             (Some(missed), _) => Found::Wrong(missed),
-            (None, Some(targets)) => Found::Wrong(says::line_misses(targets[0].as_str())),
+            (None, Some(targets)) => Found::Wrong(says::line_misses(self.shown(&targets[0]))),
             (None, None) => Found::Own,
         }
     }
@@ -156,8 +160,8 @@ impl Bench<'_> {
         };
         if !(is_right || is_typed && (as_expected() || as_recognised())) {
             return Found::Wrong(match entry {
-                Entry::Cross(_) => says::lines_of_others(name),
-                _ => says::point_elsewhere(name),
+                Entry::Cross(_) => says::lines_of_others(self.shown(name)),
+                _ => says::point_elsewhere(self.shown(name)),
             });
         }
         match self.place_off_hand(entry, sheet, own) {

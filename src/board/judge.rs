@@ -129,7 +129,7 @@ impl Judge {
         let construction = self.given.construction();
         let steps = construction.steps_of_quantities();
         let of_point = |sheet: Sheet, name: &str| {
-            let order = sheet.order()?;
+            let Some(order) = sheet.order() else { return steps.get(&format!("{name}.x")) };
             // A vector is the segment from where it begins.
             let ends_there = |quantity: &str| {
                 QuantityName::parse(quantity).is_some_and(|quantity| {

@@ -65,18 +65,14 @@ impl Slip<'_, '_> {
             });
             Some((sheet, split.unwrap_or_else(|| [measure.from.clone(), measure.to.clone()])))
         })?;
-        let quantity = || Blank::Quantity(name.clone());
         if !self.is_same(*found, right) {
-            let at = |end: &String| Blank::from(end.as_str());
             let is_other = |ends: &[String; 2]| {
                 let place = |name: &String| self.table.given.place(sheet, name);
                 place(&ends[0]) != place(&measure.from) || place(&ends[1]) != place(&measure.to)
             };
             let turned = [ends[1].clone(), ends[0].clone()];
-            return (is_other(&ends) && is_other(&turned)).then(|| match sheet {
-                Sheet::Scheme => tell::wrong_length(Blank::Symbol(name.clone()), at(&measure.from), at(&measure.to)),
-                _ => tell::wrong_segment(quantity(), at(&measure.from), at(&measure.to)),
-            });
+            return (is_other(&ends) && is_other(&turned))
+                .then(|| between_others(sheet, name, [&measure.from, &measure.to]));
         }
         None
     }
@@ -105,6 +101,9 @@ impl Slip<'_, '_> {
     }
 
     fn computed(&self, compute: &Compute, (name, found): &(String, f64), right: f64) -> Option<Told> {
+        if let Some(told) = self.by_centers(compute, (name, *found), right) {
+            return Some(told);
+        }
         let is_rate = super::bench::turns(name);
         let is_turned =
             self.is_same(*found, -right) || (self.tolerance > 1e-3 && (found + right).abs() < 0.1 * right.abs());
@@ -249,15 +248,13 @@ impl Slip<'_, '_> {
         formulas.iter().flat_map(|formula| formula.names()).find_map(|own| {
             let (sheet, ends) = super::reads::segment_of(own).or_else(|| self.measured.get(own).cloned())?;
             let all = match sheet.order() {
+                None if sheet == Sheet::Centers => super::centers::distances(self.table),
                 None => lengths(self.table),
                 Some(order) => segments(self.table, order),
             };
             let (other, _) = all.into_iter().find(|(other, length)| is_meant(other) && is_right(own, *length))?;
-            let [from, to] = ends.each_ref().map(|end| Blank::from(end.as_str()));
-            Some(match sheet {
-                Sheet::Scheme => tell::wrong_length(Blank::Symbol(other), from, to),
-                _ => tell::wrong_segment(Blank::Quantity(other), from, to),
-            })
+            let [from, to] = &ends;
+            Some(between_others(sheet, &other, [from, to]))
         })
     }
 
@@ -340,6 +337,16 @@ impl Slip<'_, '_> {
             Entry::LayOff(LayOff { from, .. }) => from.as_str().into(),
             _ => name.into(),
         }
+    }
+}
+
+/// A length or segment of that name that was measured between other points.
+pub(super) fn between_others(sheet: Sheet, name: &str, ends: [&String; 2]) -> Told {
+    let [from, to] = ends.map(|end| super::centers::end(end));
+    match sheet {
+        Sheet::Scheme => tell::wrong_length(Blank::Symbol(name.to_owned()), from, to),
+        Sheet::Centers => tell::distance_from_wrong_center(Blank::Quantity(name.to_owned()), from, to),
+        _ => tell::wrong_segment(Blank::Quantity(name.to_owned()), from, to),
     }
 }
 

@@ -252,7 +252,8 @@ impl Press<'_> {
                 caught.push((distance + 1e-3 * length, snapped));
             }
         };
-        if self.pressed.sheet == Sheet::Scheme {
+        // The figure of instant centres has the mechanism, too.
+        if matches!(self.pressed.sheet, Sheet::Scheme | Sheet::Centers) {
             let all = self.screen.references(self.table);
             for (index, reference) in all.iter().enumerate() {
                 // A link of two points and the two are the same at a press.

@@ -8,7 +8,6 @@ use super::measured::{CheckError, UNDER_SLIDER};
 use super::says;
 use crate::centers::LinkPair;
 use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
-use crate::mechanism::GROUND;
 use crate::quantity::{Pole, QuantityError, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
@@ -298,11 +297,7 @@ impl<'a> Names<'a> {
     fn usual_center(&self, written: &str) -> Option<String> {
         let parts = QuantityName::parse(written).filter(|name| name.head == Head::Center)?;
         let mechanism = &self.solution.mechanism;
-        let link = |name: &String| match name.as_str() {
-            "0" if mechanism.link("0").is_none() => Some(GROUND),
-            name => mechanism.link(name),
-        };
-        let pair = LinkPair::new(link(parts.arguments.first()?)?, link(parts.arguments.get(1)?)?)?;
+        let pair = LinkPair::of_names(&parts.arguments, mechanism)?;
         let links = pair.links().map(|link| mechanism.body(link).name.clone());
         Some(parts.with_arguments(links.to_vec()).to_string())
     }
