@@ -7,6 +7,7 @@ use super::formula::Formula;
 use super::says;
 use super::table::{DrawnLine, Made, Table};
 use crate::geometry::Vector;
+use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
 
 /// What two numbers that are the same may differ by, in parts.
@@ -216,6 +217,7 @@ impl Bench<'_> {
             };
         }
         let stated = matches!(entry, Entry::Compute(Compute { sense: Some(_), .. }));
+        let is_size = self.is_size_alone(&asked);
         let near =
             |found: f64, right: f64| same(found, right) || (is_typed && (found - right).abs() <= TYPED * right.abs());
         let is_right = self.in_all(entry, is_typed, |table, made| {
@@ -223,13 +225,19 @@ impl Bench<'_> {
             let is_scene = std::ptr::eq(table.given, self.judge.given());
             all.iter().all(|(_, found)| {
                 // In other scenes a link may turn the other way, which a stated sense does not know.
-                near(*found, right) || (stated && !is_scene && near(found.abs(), right.abs()))
+                near(*found, right) || ((is_size || stated && !is_scene) && near(found.abs(), right.abs()))
             })
         });
         if !(is_right || is_typed && self.is_near_expected_number(&asked, own)) {
             return Found::Wrong(says::number_wrong(name));
         }
         Found::Right
+    }
+
+    /// Whether a quantity is the size of a velocity that is laid off on no plan: its sign says nothing there.
+    fn is_size_alone(&self, asked: &str) -> bool {
+        let is_velocity = QuantityName::parse(asked).is_some_and(|name| name.head == Head::Velocity);
+        is_velocity && !self.judge.given().construction().by_hand.contains(&Sheet::Velocity)
     }
 
     /// Whether a length or a segment is measured between other points than its name has.

@@ -127,7 +127,7 @@ impl Bench<'_> {
     fn between_others(&self, entry: &Entry) -> Option<Told> {
         let Entry::Measure(measure) = entry else { return None };
         let (sheet, _) = super::reads::segment_of(&measure.measure).filter(|_| self.is_between_others(measure))?;
-        Some(super::slips::between_others(sheet, &measure.measure, [&measure.from, &measure.to]))
+        Some(super::slips::between_others(self.judge.given(), sheet, &measure.measure, [&measure.from, &measure.to]))
     }
 
     /// Digits that were exchanged where a number was typed that the hand's own things give.

@@ -32,7 +32,7 @@ impl Bench<'_> {
             (Entry::Cross(Cross { of, .. }), Made::Place(Sheet::Centers, name, _)) => {
                 let target = self.pair(name)?;
                 let wrong = of.iter().find(|line| !self.leads_to(line, name))?;
-                self.joined(wrong).map(|points| self.without_common_link(&points, target))
+                self.ends(wrong).map(|points| self.without_common_link(&points, target))
             }
             _ => None,
         }
@@ -57,10 +57,18 @@ impl Bench<'_> {
         line.zip(place).is_none_or(|((_, line), place)| line.distance(place).abs() <= near)
     }
 
-    /// The points that a line of the hand's own joins.
-    fn joined(&self, line: &str) -> Option<[String; 2]> {
+    /// The points that a line of the hand's own joins; of one normal to a guide the second is the guide's centre.
+    fn ends(&self, line: &str) -> Option<[String; 2]> {
         self.done.iter().find_map(|(_, entry)| match entry {
             Entry::Join(Join { join, points, .. }) if join == line => Some(points.clone()),
+            Entry::Line(Line {
+                line: own, through: Some(through), along: Some(Direction::Normal { normal }), ..
+            }) if own == line => {
+                let mechanism = self.judge.given().mechanism();
+                let id = mechanism.slider_ids().find(|id| mechanism.slider_name(*id) == *normal)?;
+                let slider = mechanism.slider(id);
+                Some([through.clone(), LinkPair::new(slider.link, slider.on)?.name(mechanism)])
+            }
             _ => None,
         })
     }
@@ -171,16 +179,16 @@ impl Bench<'_> {
 }
 
 impl Slip<'_, '_> {
-    /// What is wrong with an angular velocity by distances of centres: the ratio upside down, or its sense.
+    /// What is wrong with a number by distances of centres: the ratio upside down, its sense, another distance.
     pub(super) fn by_centers(&self, compute: &Compute, (name, found): (&str, f64), right: f64) -> Option<Told> {
         let formula = compute.by.as_ref()?;
         let has_center = |name: &&str| super::reads::segment_of(name).is_some_and(|(sheet, _)| sheet == Sheet::Centers);
         let distances: Vec<&str> = formula.names().into_iter().filter(has_center).collect();
-        if distances.is_empty() || !super::bench::turns(name) {
+        if distances.is_empty() {
             return None;
         }
         let rate = Blank::Symbol(name.to_owned());
-        if self.is_same(found, -right) {
+        if self.is_same(found, -right) && super::bench::turns(name) {
             return Some(tell::sense_by_center(rate));
         }
         let value = |exchanged: &dyn Fn(&str) -> Option<f64>| {
@@ -189,7 +197,7 @@ impl Slip<'_, '_> {
         let pairs = distances.iter().enumerate().flat_map(|(at, one)| {
             distances[at + 1..].iter().filter(move |other| *other != one).map(move |other| [*one, *other])
         });
-        pairs.into_iter().find_map(|[one, other]| {
+        let inverted = pairs.into_iter().find_map(|[one, other]| {
             let [a, b] = [self.table.number(one).ok()?, self.table.number(other).ok()?];
             let turned = value(&|name| match name {
                 _ if name == one => Some(b),
@@ -204,13 +212,20 @@ impl Slip<'_, '_> {
             let [over, under] = if larger.abs() > found.abs() { [other, one] } else { [one, other] };
             let quantity = |name: &str| Blank::Quantity(name.to_owned());
             Some(tell::ratio_inverted(rate.clone(), quantity(over), quantity(under)))
+        });
+        // A distance is rather another one than a rate that of another link.
+        inverted.or_else(|| {
+            self.exchanged(&[formula], &|own, by| {
+                let value = value(&|name| (name == own).then_some(by));
+                value.is_some_and(|value| self.is_same(value.abs(), right.abs()))
+            })
         })
     }
 }
 
 /// A point as sentences name it.
-pub(super) fn end(name: &str) -> Blank {
-    if is_center(name) { Blank::Quantity(name.to_owned()) } else { name.into() }
+pub(super) fn end(given: &Given, name: &str) -> Blank {
+    if is_center(name) { Blank::Quantity(given.usual(Sheet::Centers, name)) } else { name.into() }
 }
 
 /// By entry of the own construction: whether it leads to something that the figure of instant centres asks for and that is not there yet. Whoever

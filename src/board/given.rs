@@ -147,10 +147,25 @@ impl Given {
     #[must_use]
     pub fn number(&self, name: &str) -> Option<f64> {
         let Solution { mechanism, construction, .. } = &self.solution;
-        let name = with_usual_poles(name);
+        let name = self.with_usual_centers(&with_usual_poles(name));
         let asked = QuantityRequest::new(&name, mechanism).ok()?;
         let value = asked.value(&self.solution.snapshot(), Some(construction), None).ok();
         value.map(Quantity::as_number).or_else(|| self.segment(&name))
+    }
+
+    /// The name of a distance of instant centres, or of a coordinate of one, as results call it.
+    fn with_usual_centers(&self, name: &str) -> String {
+        let usual = |parts: &QuantityName| match parts.head {
+            Head::Center => Some(LinkPair::of_names(&parts.arguments, self.mechanism())?.links())
+                .map(|links| links.map(|link| self.mechanism().body(link).name.clone()).to_vec()),
+            Head::Between(Sheet::Scheme) => {
+                Some(parts.arguments.iter().map(|end| self.usual(Sheet::Centers, end)).collect())
+            }
+            _ => None,
+        };
+        let parts = QuantityName::parse(name);
+        let found = parts.as_ref().and_then(|parts| Some(parts.with_arguments(usual(parts)?).to_string()));
+        found.unwrap_or_else(|| name.to_owned())
     }
 
     /// The distance of two points of a sheet that have a place here but none in the construction.

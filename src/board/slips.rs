@@ -4,6 +4,7 @@
 use super::file::{Compute, Entry, LayOff, Measure, Solve};
 use super::formula::Formula;
 use super::free_hand::FREE;
+use super::given::Given;
 use super::table::{Made, Table};
 use crate::check::Told;
 use crate::check::tell;
@@ -72,7 +73,7 @@ impl Slip<'_, '_> {
             };
             let turned = [ends[1].clone(), ends[0].clone()];
             return (is_other(&ends) && is_other(&turned))
-                .then(|| between_others(sheet, name, [&measure.from, &measure.to]));
+                .then(|| between_others(self.table.given, sheet, name, [&measure.from, &measure.to]));
         }
         None
     }
@@ -230,7 +231,7 @@ impl Slip<'_, '_> {
     }
 
     /// A length or a segment that stands for another, which would be right: one between points that are drawn before others.
-    fn exchanged(&self, formulas: &[&Formula], is_right: &dyn Fn(&str, f64) -> bool) -> Option<Told> {
+    pub(super) fn exchanged(&self, formulas: &[&Formula], is_right: &dyn Fn(&str, f64) -> bool) -> Option<Told> {
         let is_drawn = |name: &str| {
             super::reads::segment_of(name)
                 .is_some_and(|(sheet, ends)| ends.iter().all(|end| self.table.place(sheet, end).is_some()))
@@ -254,7 +255,7 @@ impl Slip<'_, '_> {
             };
             let (other, _) = all.into_iter().find(|(other, length)| is_meant(other) && is_right(own, *length))?;
             let [from, to] = &ends;
-            Some(between_others(sheet, &other, [from, to]))
+            Some(between_others(self.table.given, sheet, &other, [from, to]))
         })
     }
 
@@ -341,8 +342,8 @@ impl Slip<'_, '_> {
 }
 
 /// A length or segment of that name that was measured between other points.
-pub(super) fn between_others(sheet: Sheet, name: &str, ends: [&String; 2]) -> Told {
-    let [from, to] = ends.map(|end| super::centers::end(end));
+pub(super) fn between_others(given: &Given, sheet: Sheet, name: &str, ends: [&String; 2]) -> Told {
+    let [from, to] = ends.map(|end| super::centers::end(given, end));
     match sheet {
         Sheet::Scheme => tell::wrong_length(Blank::Symbol(name.to_owned()), from, to),
         Sheet::Centers => tell::distance_from_wrong_center(Blank::Quantity(name.to_owned()), from, to),

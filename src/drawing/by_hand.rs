@@ -98,10 +98,10 @@ const AROUND: [f64; 2] = [0.3, 25.0];
 /// Half the width of the cross by which something wrong is struck, in radii of a point.
 const STRUCK: f64 = 3.5;
 
-/// Longest side of a paper, in mm: a hundred metres.
-const LONGEST: f64 = 1e5;
-
 impl HandPaper {
+    /// Longest side of a paper, in mm: a hundred metres.
+    pub const LONGEST: f64 = 1e5;
+
     /// The sheet of a scheme or a plan at a scale, with room for what may come out wrong, and for other places, in units of the sheet from its
     /// origin; `None` for a plan that is not there, and at a scale at which no paper is large enough.
     #[must_use]
@@ -126,7 +126,11 @@ impl HandPaper {
             [rounded((origin.x - extent.low.x) / mu + white), rounded((extent.high.y - origin.y) / mu + white)];
         let size = extent.size() / mu;
         let [width, height] = [size.x, size.y].map(|side| rounded(side + 2.0 * white));
-        (width.max(height) <= LONGEST).then_some(HandPaper { mu, size: [width, height], origin: [left, above] })
+        (width.max(height) <= HandPaper::LONGEST).then_some(HandPaper {
+            mu,
+            size: [width, height],
+            origin: [left, above],
+        })
     }
 
     /// A place of the sheet, in millimetres from the upper left corner, y down.

@@ -1348,6 +1348,8 @@ photo-measure_ruler = legen Sie ein Lineal an das auf dem Blatt gedruckte: wenn 
 ## Errors and warnings: board
 
 board-too_many = eine Zeichnung hat höchstens {$most} Einträge, und hier sind es {$count}
+board-sheet_too_large = mit {$mu} je mm wäre der {$sheet} {$metres} m groß; gezeichnet werden Blätter bis {$most} m
+board-other_scale = geben Sie den Maßstab Ihres Blattes an, etwa {$mu}, oder lassen Sie {$key} weg
 board-no_formula = `{$text}` ist keine Formel: ab Zeichen {$place} ist sie nicht zu verstehen
 board-no_equation = `{$text}` ist keine Gleichung: es fehlt das =
 board-not_linear = `{$text}` ist nicht linear in den gesuchten Zahlen

@@ -1381,6 +1381,8 @@ photo-measure_ruler = lay a ruler on the one that is printed on the sheet: is it
 ## Errors and warnings: board
 
 board-too_many = a drawing has at most {$most} entries, and here are {$count}
+board-sheet_too_large = at {$mu} per mm the {$sheet} would be {$metres} m large; sheets of up to {$most} m are drawn
+board-other_scale = write the scale of your sheet, as {$mu}, or leave {$key} out
 board-no_formula = `{$text}` is no formula: it is not understood from letter {$place} on
 board-no_equation = `{$text}` is no equation: it has no =
 board-not_linear = `{$text}` is not linear in the numbers that are sought

@@ -1346,6 +1346,8 @@ photo-measure_ruler = ponga una regla sobre la que está impresa en la hoja: si 
 ## Errors and warnings: board
 
 board-too_many = un dibujo tiene como máximo {$most} entradas, y aquí hay {$count}
+board-sheet_too_large = con {$mu} por mm el {$sheet} mediría {$metres} m; se dibujan hojas de hasta {$most} m
+board-other_scale = escriba la escala de su hoja, como {$mu}, u omita {$key}
 board-no_formula = `{$text}` no es una fórmula: no se entiende a partir de la letra {$place}
 board-no_equation = `{$text}` no es una ecuación: falta el =
 board-not_linear = `{$text}` no es lineal en los números buscados

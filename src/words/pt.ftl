@@ -1348,6 +1348,8 @@ photo-measure_ruler = ponha uma régua sobre a que está impressa na folha: se o
 ## Errors and warnings: board
 
 board-too_many = um desenho tem no máximo {$most} entradas, e aqui há {$count}
+board-sheet_too_large = com {$mu} por mm o {$sheet} teria {$metres} m; desenham-se folhas de até {$most} m
+board-other_scale = escreva a escala da sua folha, como {$mu}, ou omita {$key}
 board-no_formula = `{$text}` não é uma fórmula: não se entende a partir da letra {$place}
 board-no_equation = `{$text}` não é uma equação: falta o =
 board-not_linear = `{$text}` não é linear nos números procurados

@@ -77,6 +77,10 @@ class Board:
     def __init__(self, mechanism, mu, ways, known, lot, by_pencil, mistake=None):
         self.mechanism, self.mu, self.ways, self.known, self.lot, self.by_pencil, self.mistake = mechanism, mu, ways, known, lot, by_pencil, mistake
         self.did, self.lines, self.wrong, self.segments = [], 0, None, []
+        # Where the hand has what it marks, and its lines.
+        self.marked, self.drawn_lines = dict(known), {}
+        for target, _ in ways:
+            del self.marked[target]
         self.pins = {two: what for two, (kind, what) in mechanism.permanent().items() if kind == "pin"}
         self.guides = {two: what for two, (kind, what) in mechanism.permanent().items() if kind == "guide"}
         self.origin = mechanism.points[next(iter(mechanism.points))]
@@ -134,6 +138,7 @@ class Board:
             if points is ends and distance(*(place(self.known[two]) for two in ends)) < 6:
                 raise Stuck
             self.add(join=name, on="centers", points=[self.point(two) for two in points])
+        self.drawn_lines[name] = cross(*(self.marked.get(two, self.known[two]) for two in ends))
         self.segments.append((name, target))
         return name
 
@@ -160,8 +165,9 @@ class Board:
                 lines = [lines[0], self.lot.choice(others)]
         entry = dict(cross=named(target, self.lot), of=lines)
         if self.by_pencil and self.mistake is None:
-            x, y = ((own - start) / self.mu for own, start in zip(place(self.known[target]), self.origin))
-            entry["drawn"] = [round(self.off(x), 2), round(self.off(y), 2)]
+            x, y = ((own - start) / self.mu for own, start in zip(place(cross(*(self.drawn_lines[line] for line in lines))), self.origin))
+            x, y = entry["drawn"] = [round(self.off(x), 2), round(self.off(y), 2)]
+            self.marked[target] = point((x * self.mu + self.origin[0], y * self.mu + self.origin[1]))
         self.add(**entry)
         self.done += 1
 

@@ -63,7 +63,9 @@ def draw(page, sheet, at, lot):
     for ends, (a, b, c), crossing in sheet.drawn:
         length = math.hypot(a, b)
         along = (-b / length, a / length)
-        marks = [p for p in [*ends, crossing] if p is not None]
+        # Lines that are not drawn far enough end where they should be crossed.
+        is_on = crossing is not None and abs(a * crossing[0] + b * crossing[1] + c) / length < 2
+        marks = [p for p in [*ends, crossing if is_on else None] if p is not None]
         start = marks[0]
         reach = [(p[0] - start[0]) * along[0] + (p[1] - start[1]) * along[1] for p in marks]
         low, high = min(reach) - lot.uniform(1, 7), max(reach) + lot.uniform(3, 12)

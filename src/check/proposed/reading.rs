@@ -283,7 +283,9 @@ impl<'a> Reader<'a> {
                     continue;
                 }
                 // What no operation asks for is believed where a further line, as the vector from the pole, leads there, too.
-                let is_sure = is_sure && (cost < QUARTER || ink.meet(spot.at, [*a, *b]));
+                // To a centre no vector leads.
+                let few = if sheet.order().is_some() { QUARTER } else { ANY };
+                let is_sure = is_sure && (cost < few || ink.meet(spot.at, [*a, *b]));
                 let mut reading = reading.with(sheet, place, spot, is_sure, &[*a, *b]);
                 reading.worth += CROSSING - cost;
                 next.push(reading);
