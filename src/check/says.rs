@@ -50,6 +50,7 @@ messages! { "check":
     acceleration;
     force;
     moment;
+    power;
 
     // Tables.
     no_table(error);
