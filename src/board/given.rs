@@ -108,6 +108,20 @@ impl Given {
         .unwrap_or_else(|| name.to_owned())
     }
 
+    /// Whether a name is a second one of a point: that of a permanent centre in a pin, which has the pin's.
+    pub(super) fn is_second_name(&self, sheet: Sheet, name: &str) -> bool {
+        sheet == Sheet::Centers && is_center(name) && self.is_there(name)
+    }
+
+    /// The permanent centres in a joint of the figure of instant centres.
+    pub(super) fn centers_at(&self, joint: &str) -> impl Iterator<Item = LinkPair> {
+        let at = self.place(Sheet::Centers, joint).filter(|_| !is_center(joint));
+        let here = self
+            .there()
+            .filter(move |(sheet, name, place)| self.is_second_name(*sheet, name) && at.is_some_and(|at| at == *place));
+        here.filter_map(|(_, name, _)| LinkPair::named(name, self.mechanism()))
+    }
+
     /// A point as sentences name it: an instant centre by its symbol, `P_13`.
     pub(super) fn shown(&self, name: &str) -> String {
         let pair =

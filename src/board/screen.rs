@@ -160,7 +160,8 @@ impl Screen {
     ) -> Vec<BoardThing> {
         let mut all = Vec::new();
         for (sheet, paper) in papers {
-            for (name, place) in table.places(*sheet) {
+            let given = self.judge.given();
+            for (name, place) in table.places(*sheet).filter(|(name, _)| !given.is_second_name(*sheet, name)) {
                 all.push(BoardThing {
                     sheet: *sheet,
                     kind: ThingKind::Point,
@@ -259,8 +260,17 @@ impl Screen {
     }
 
     pub(super) fn point_label(&self, sheet: Sheet, name: &str, labels: &SheetLabels<'_>) -> String {
+        let mechanism = self.judge.given().mechanism();
         match sheet {
             Sheet::Scheme => html_text(&RichText::math(&crate::construction::display(name))),
+            // A joint with the centres that it is.
+            Sheet::Centers => {
+                let centers =
+                    self.judge.given().centers_at(name).map(|pair| labels.place(sheet, &pair.name(mechanism)));
+                let centers: Vec<String> = centers.map(|label| html_text(&label)).collect();
+                let own = html_text(&labels.place(sheet, name));
+                if centers.is_empty() { own } else { format!("{own} = {}", centers.join(", ")) }
+            }
             _ => html_text(&labels.place(sheet, name)),
         }
     }

@@ -252,12 +252,12 @@ fn the_figure_of_centres_takes_the_place_of_plans_that_nobody_asks_for() {
     let pressed =
         |sheet: Sheet, at: [f64; 2]| Pressed { has: has.as_object().expect("an entry").clone(), sheet, at, reach: 3.0 };
     let on_centers = board.things.iter().find(|thing| thing.sheet == Sheet::Centers && thing.name == "C").expect("C");
-    let at = [on_centers.at[0] + 0.9 * (guide.at[0] - guide.at[0]) + 4.0, on_centers.at[1]];
+    let at = [on_centers.at[0] + 4.0, on_centers.at[1]];
     let snapped = screen.snapped(&drawing("all", &json!([])), &pressed(Sheet::Centers, at));
     assert!(snapped.iter().any(|snap| snap.entry["along"] == json!({ "normal": "3/ground" })), "{snapped:?}");
     // What is drawn by another route needs no further hint for the lines of Kinegon's own.
     let hint = screen.hint(&drawing("all", &did), None, 1);
     assert_eq!(hint.sheet, Some(Sheet::Centers));
     let picture = screen.picture(&drawing("all", &did), Sheet::Centers, None, 3.5, None).expect("a picture");
-    assert!(picture.marks.iter().any(|mark| mark.name.as_deref() == Some("centers-point-P(2,ground)")));
+    assert!(picture.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.contains("point-P(2,ground)"))));
 }
