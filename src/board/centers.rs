@@ -256,7 +256,7 @@ pub(super) fn needed(given: &Given, did: &[Entry], table: &Table<'_>) -> Vec<boo
         let things = super::table::things(made);
         let is_there = match made {
             Made::Place(sheet, name, _) => table.place(*sheet, name).is_some(),
-            Made::Numbers(all) => all.iter().all(|(name, _)| table.numbers().any(|(own, _)| own == name)),
+            Made::Numbers(all) => all.iter().all(|(name, _)| is_found(table, name)),
             Made::Line(..) => false,
         };
         if (is_wanted || things.iter().any(|thing| open.contains(thing))) && !is_there {
@@ -265,6 +265,11 @@ pub(super) fn needed(given: &Given, did: &[Entry], table: &Table<'_>) -> Vec<boo
         }
     }
     needed
+}
+
+/// Whether a hand has found a number; the size of a vector also by the vector's name.
+pub(super) fn is_found(table: &Table<'_>, name: &str) -> bool {
+    table.numbers().any(|(own, _)| own == name || Some(own) == name.strip_suffix(".size"))
 }
 
 fn is_asked(given: &Given, pair: LinkPair) -> bool {

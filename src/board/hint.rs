@@ -1,6 +1,6 @@
 //! Hints by stages: where, what, and what would be drawn.
 
-use super::centers::needed;
+use super::centers::{is_found, needed};
 use super::file::{Entry, HandDrawing};
 use super::judge::{JudgedDrawing, Verdict};
 use super::says;
@@ -85,9 +85,8 @@ impl Screen {
             let is_there = match &made {
                 Made::Place(sheet, name, _) => table.place(*sheet, name).is_some(),
                 Made::Numbers(all) => {
-                    let own_numbers: Vec<&str> = table.numbers().map(|(name, _)| name).collect();
                     let is_measured = matches!(entry, Entry::Measure(_));
-                    is_measured || all.iter().all(|(name, _)| own_numbers.contains(&name.as_str()))
+                    is_measured || all.iter().all(|(name, _)| is_found(table, name))
                 }
                 Made::Line(name, line) => {
                     let leads_to = own.did[index..].iter().find_map(|later| match later {

@@ -248,7 +248,6 @@ fn the_figure_of_centres_takes_the_place_of_plans_that_nobody_asks_for() {
     assert!(board.numbers.iter().any(|number| number.name == "L(P(1,ground),P(2,ground))"));
     // A guide is pressed on the figure of centres itself.
     let has = json!({ "line": "", "along": { "normal": "" } });
-    let guide = board.things.iter().find(|thing| thing.kind == ThingKind::Guide).expect("a guide");
     let pressed =
         |sheet: Sheet, at: [f64; 2]| Pressed { has: has.as_object().expect("an entry").clone(), sheet, at, reach: 3.0 };
     let on_centers = board.things.iter().find(|thing| thing.sheet == Sheet::Centers && thing.name == "C").expect("C");
@@ -259,5 +258,5 @@ fn the_figure_of_centres_takes_the_place_of_plans_that_nobody_asks_for() {
     let hint = screen.hint(&drawing("all", &did), None, 1);
     assert_eq!(hint.sheet, Some(Sheet::Centers));
     let picture = screen.picture(&drawing("all", &did), Sheet::Centers, None, 3.5, None).expect("a picture");
-    assert!(picture.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.contains("point-P(2,ground)"))));
+    assert!(picture.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.contains("point-Pu282-groundu29"))));
 }
