@@ -67,7 +67,7 @@ def own_ways(mechanism, exact, wanted, lot):
 
             for t in wanted:
                 need(t)
-            return [(t, ways[t]) for t in needed], known
+            return [(t, ways[t]) for t in needed], {t: at for t, at in known.items() if t in exact or t in needed}
     raise Stuck
 
 
@@ -179,10 +179,12 @@ class Board:
         link = (pinned or holders)[0]
         if link == "1":
             return
-        common, own, first = (self.known[pair(*two)] for two in (("1", link), ("0", link), ("0", "1")))
+        needs = [pair(*two) for two in (("1", link), ("0", link), ("0", "1"))]
+        if any(two not in self.known for two in needs):
+            return
+        common, own, first = (self.known[two] for two in needs)
         if any(is_far(at) for at in (common, own, first)):
             return
-        names = [f"L({named(('0', k), lot)},{named(pair('1', k) if k != '1' else pair('1', link), lot)})" for k in ("1", link)]
         names = [f"L({named(('0', '1'), lot)},{named(pair('1', link), lot)})", f"L({named(('0', link), lot)},{named(pair('1', link), lot)})"]
         driven, mine = distance(place(first), place(common)), distance(place(own), place(common))
         if min(driven, mine) < 10 * self.mu:
@@ -199,7 +201,8 @@ class Board:
                         self.wrong, between = len(self.did), [lot.choice(others), two[1]]
                 entry = dict(measure=names[index], from_=self.point(between[0]), to=self.point(between[1]), on="centers")
                 if self.by_pencil and self.mistake is None:
-                    entry["read"] = round(self.off(length / self.mu, 0.4) * self.mu, 2)
+                    has = [place(self.marked.get(t, self.known[t])) for t in between]
+                    entry["read"] = round(self.off(distance(*has) / self.mu, 0.4) * self.mu, 2)
                 self.add(**entry)
         over, under = names
         if self.mistake == "ratio-inverted" and self.wrong is None and abs(driven / mine - 1) > 0.08:
