@@ -20,7 +20,8 @@ impl Writer<'_> {
     /// Draws the centres that are wanted, and those that lead to them; the velocities of these points by centres, and the centres of curvature of the paths of others.
     pub(crate) fn centers(&mut self, wanted: &[LinkPair], points: &[PointId], curved: &[PointId]) {
         let links: Vec<BodyId> = links(self.mechanism);
-        self.construction.centers = Some(Box::new(Centers { links: links.clone(), ..Centers::default() }));
+        self.construction.centers =
+            Some(Box::new(Centers { wanted: wanted.to_vec(), links: links.clone(), ..Centers::default() }));
         self.permanent_centers(&links);
         let number = |link: BodyId| links.iter().position(|&other| other == link);
         let two_of = |pair: LinkPair| {
