@@ -14,6 +14,8 @@ const APART: f64 = 6.0;
 const SHORTEST: f64 = 15.0;
 /// Largest band of a centre's coordinate, in mm of paper.
 const BAND: f64 = 2.0;
+/// Largest band of the direction of one at infinity, in degrees.
+const DIRECTION: f64 = 2.0;
 
 /// Whether lines lead to all centres that are wanted, and to those of the motion.
 pub(super) fn are_constructed(construction: &Construction) -> Result<(), Refusal> {
@@ -69,8 +71,9 @@ pub(super) fn are_clear(solution: &Solution, scales: &Scales) -> Result<(), Refu
 /// Whether a hand finds the places of all centres well.
 pub(super) fn are_sure(rows: &[KeyRow<'_>], scales: &Scales) -> Result<(), Refusal> {
     let mut places = rows.iter().filter(|row| matches!(row.asked.what, What::Pole(_)));
-    let most = scales[Sheet::Centers].map_or(0.0, |mu| BANDS * BAND * mu);
-    match places.all(|row| row.allowed.is_some_and(|allowed| allowed <= most)) {
+    let most = scales[Sheet::Centers].map_or(0.0, |mu| BAND * mu);
+    let most_of = |row: &KeyRow<'_>| BANDS * if row.asked.is_line() { DIRECTION } else { most };
+    match places.all(|row| row.allowed.is_some_and(|allowed| allowed <= most_of(row))) {
         true => Ok(()),
         false => Err(Refusal::CenterUnsure),
     }
