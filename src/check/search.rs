@@ -167,23 +167,6 @@ impl<'a> Search<'a> {
                 break;
             }
         }
-        if std::env::var("DBG").is_ok() {
-            for t in tried.iter().take(12) {
-                let names: Vec<_> = t.set.iter().map(|&i| format!("{:?} {:?}", self.pool[i].told.mistake, self.pool[i].told.blanks)).collect();
-                eprintln!("TRIED {:.1} fit {:.1} hand {:.2} {:?}", t.cost, t.fit.cost, t.fit.hand.worst(), names);
-                eprintln!("  ops {:?} hand {:?}", t.set.iter().map(|&i| self.pool[i].operations().map(|o| format!("{:?}", self.scorer.models[0].construction.operations[o].kind)).collect::<Vec<_>>()).collect::<Vec<_>>(), t.fit.hand.errors);
-                eprintln!("  {}", self.scorer.data.iter().zip(&t.fit.predicted).map(|(d, p)| format!("{}={:.3}({:.3})", self.scorer.entries[d.entry].asked.name(), p, d.value)).collect::<Vec<_>>().join(" "));
-                for (d, (p, o)) in self.scorer.data.iter().zip(t.fit.predicted.iter().zip(&t.fit.outside)) {
-                    if *o { eprintln!("      outside {} written {} predicted {}", self.scorer.entries[d.entry].asked.name(), d.value, p); }
-                }
-            }
-            for (i, c) in self.pool.iter().enumerate() {
-                if matches!(c.mistake(), Mistake::NotExtended | Mistake::PinOfThree) {
-                    let pr = self.scorer.predicted(&[c]);
-                    eprintln!("CAND {} free {} {:?} {}", i >= self.listed.len(), c.free.len(), c.told.blanks, self.scorer.data.iter().zip(&pr).map(|(d, p)| format!("{}={:.2}({:.2})", self.scorer.entries[d.entry].asked.name(), p, d.value)).collect::<Vec<_>>().join(" "));
-                }
-            }
-        }
         tried
     }
 

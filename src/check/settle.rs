@@ -76,7 +76,9 @@ impl<'a> Settling<'a> {
             }
             let model = self.scorer.model(self.set);
             let place = |free: &Free| model.construction.operations[free.operation].kind.place();
-            let places = self.template.free.iter().filter_map(place);
+            // Lines that are moved go through what is marked on them.
+            let marked = if self.template.edits.is_empty() { &[] } else { self.template.free.as_slice() };
+            let places = marked.iter().filter_map(place);
             places.fold(vec![settled], |all, place| {
                 all.into_iter().flat_map(|settled| measured_there(model, settled, place)).collect()
             })

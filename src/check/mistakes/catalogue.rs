@@ -175,11 +175,11 @@ macro_rules! catalogue {
                 distance_from_wrong_center(length, from, to)
             }
             /// The lines of a centre not drawn far enough, other ones crossed.
-            NotExtended "not-extended" 3.0 routes::not_extended { not_extended(center, first, second) }
+            NotExtended "not-extended" 5.0 routes::not_extended { not_extended(center, first, second) }
             /// A velocity laid off along its ray.
             VelocityAlongRay "velocity-along-ray" 3.0 by_centers::velocity_along_ray { velocity_along_ray(velocity) }
             /// A centre in a pin of three links missed.
-            PinOfThree "pin-of-three" 2.0 centers::pin_of_three { pin_of_three(center, pin) }
+            PinOfThree "pin-of-three" 4.0 centers::pin_of_three { pin_of_three(center, pin) }
             /// Millimetres of paper of the figure of centres taken for lengths.
             LengthsWithoutScale "lengths-without-scale" 4.0 rates::without_scale { lengths_without_scale(lengths, scale) }
             /// The other assembly mode.

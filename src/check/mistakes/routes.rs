@@ -140,6 +140,7 @@ pub(super) fn beside_pin_of_three(drawn: &Drawn<'_>) -> Vec<Candidate> {
         let (CenterOrigin::Pin(point), true) = (&center.origin, drawn.is_one_of_three(CenterId(index))) else { continue };
         let name = drawn.site.key.solution.mechanism.point_name(*point);
         let told = || tell::pin_of_three(drawn.center(CenterId(index)), name.into());
+        all.extend(all_lines_elsewhere(drawn, center.spot, told()));
         let alone = past_pin(drawn, center.pair);
         for (at, first) in alone.iter().enumerate() {
             for second in alone[at + 1..].iter().filter(|second| second.operation > first.operation) {
@@ -151,6 +152,15 @@ pub(super) fn beside_pin_of_three(drawn: &Drawn<'_>) -> Vec<Candidate> {
         }
     }
     all
+}
+
+/// All lines through a pin drawn through another place, whatever that is.
+fn all_lines_elsewhere(drawn: &Drawn<'_>, spot: Spot, told: Told) -> Option<Candidate> {
+    let Spot::At(pin) = spot else { return None };
+    let operation = drawn.site.model.place_makers[pin.0]?;
+    let range = drawn.at(pin).norm().max(drawn.mm(1.0)) / drawn.mm(1.0);
+    let free = |which| Free { operation, what: Amount::Error(which), is_angle: false, range, keeps_sign: false };
+    Some(Candidate { free: vec![free(0), free(1)], ..Candidate::at(told, drawn.site.model.steps[operation]) })
 }
 
 /// A place on a line that is not known beforehand.
