@@ -31,7 +31,8 @@ impl Measured {
     /// The instant centres in the names of a form's values.
     fn centers_named(&self, solution: &Solution) -> BTreeSet<String> {
         let has_center = |name: &&String| name.contains(Head::Center.word());
-        let mut named = self.values.iter().map(|given| given.plain_name().0).filter(|name| has_center(&name)).peekable();
+        let mut named =
+            self.values.iter().map(|given| given.plain_name().0).filter(|name| has_center(&name)).peekable();
         if named.peek().is_none() {
             return BTreeSet::new();
         }

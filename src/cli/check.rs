@@ -334,7 +334,12 @@ fn with_centers(solution: &Solution, forms: &[Form]) -> Option<Solution> {
     let names_center = |form: &&Form| fs::read(&form.path).is_ok_and(|text| text.windows(2).any(|two| two == b"P("));
     let named = || forms.iter().filter(names_center).filter_map(|form| measured(&form.path).ok());
     let values = || named().flat_map(|measured| measured.values).collect();
-    solution.construction.centers.is_none().then(|| Measured { values: values(), ..Measured::default() })?.with_centers(solution)
+    solution
+        .construction
+        .centers
+        .is_none()
+        .then(|| Measured { values: values(), ..Measured::default() })?
+        .with_centers(solution)
 }
 
 /// A marking scheme as it was read.

@@ -70,7 +70,9 @@ mod writer;
 pub use constructed::{Agreement, Construction, Extent};
 pub use cut::{Course, CutLine, Special, SpecialId, Term};
 pub(crate) use enclosed::Truth;
-pub use kennedy::{Center, CenterId, CenterLine, CenterOrigin, CenterVelocity, Centers, CurvatureStep, FigureOf, Inflection, Spot};
+pub use kennedy::{
+    Center, CenterId, CenterLine, CenterOrigin, CenterVelocity, Centers, CurvatureStep, FigureOf, Inflection, Spot,
+};
 pub use lever::{Lever, LeverForce, LeverStep};
 pub use markup::{Formula, FormulaTerm, Known, display, shown_text};
 pub(crate) use markup::{plain_text, rate_symbol};

@@ -1,7 +1,9 @@
 //! Carries out operations, in f64 with a hand's errors and mistakes, or with bounds of the rounding errors.
 
 use super::number::{Equation, NumberId, Product};
-use super::operation::{Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, PlaceId, Reference, Ruled, RuledEnd};
+use super::operation::{
+    Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, PlaceId, Reference, Ruled, RuledEnd,
+};
 use crate::geometry::{Ball, Number, Pair, Vector, degrees_of, turn_of_degrees, without_sense};
 use crate::sheet::PerSheet;
 use smallvec::SmallVec;

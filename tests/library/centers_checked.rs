@@ -232,7 +232,8 @@ fn a_form_that_names_centres_is_judged_where_the_figure_shows_none() {
 
 #[test]
 fn a_figure_of_permanent_centres_alone_says_that_nothing_is_to_be_found() {
-    let base = with_figure("four-bar", json!({ "panels": ["scheme", "centers"], "centers": ["P(1,ground)", "P(1,2)"] }));
+    let base =
+        with_figure("four-bar", json!({ "panels": ["scheme", "centers"], "centers": ["P(1,ground)", "P(1,2)"] }));
     let error = Exercises::new(&base, None, 1).expect_err("there is nothing to find").to_string();
     assert!(error.contains("nothing to find"), "{error}");
 }
@@ -307,7 +308,10 @@ fn an_exercise_asks_for_the_inflection_pole_and_does_not_show_it() {
     let names: Vec<String> = exercise.key().values.keys().cloned().collect();
     assert!(["W(2).x", "W(2).y", "d_i(2)"].iter().all(|name| names.iter().any(|own| own == name)), "{names:?}");
     let shown = exercise.sheets("x").into_iter().flat_map(|sheet| sheet.marks);
-    assert!(shown.into_iter().all(|mark| mark.id.is_none_or(|id| !id.contains("inflection"))), "the circle is the answer");
+    assert!(
+        shown.into_iter().all(|mark| mark.id.is_none_or(|id| !id.contains("inflection"))),
+        "the circle is the answer"
+    );
 }
 
 /// A single flier: two of its centres need a link left out.

@@ -350,7 +350,11 @@ fn are_on_lines(solution: &Solution, ids: &[BodyId], size: f64, allowed: f64) ->
                 let longest = sides.iter().map(|side| side.norm()).fold(0.0, f64::max);
                 let reach = [p, q, r].iter().map(|at| (at - origin).norm()).fold(size, f64::max);
                 let height = if longest > 0.0 { sides[0].perp(&sides[1]).abs() / longest } else { 0.0 };
-                assert!(height <= 8.0 * allowed * reach, "{}: {height:e} of {reach:e}, allowed {allowed:e}", solution.scene.text());
+                assert!(
+                    height <= 8.0 * allowed * reach,
+                    "{}: {height:e} of {reach:e}, allowed {allowed:e}",
+                    solution.scene.text()
+                );
                 count += 1;
             }
         }

@@ -1,12 +1,14 @@
 //! Mistakes with instant centres on lines of people's own choice: a centre lies on a line over every third link, and the construction draws
 //! two of them.
 
-use super::centers::{Crossing, Drawn, ONE, found};
 use super::beside::{measured_there, not_gone_on_with};
+use super::centers::{Crossing, Drawn, ONE, found};
 use super::site::{Amount, Candidate, Free, Site, instead};
 use super::told::{Told, tell};
 use crate::centers::{LinkPair, Moved};
-use crate::construction::{CenterId, CenterOrigin, Disturbance, FigureOf, OperationKind, PlaceId, Ruled, RuledEnd, Spot};
+use crate::construction::{
+    CenterId, CenterOrigin, Disturbance, FigureOf, OperationKind, PlaceId, Ruled, RuledEnd, Spot,
+};
 use crate::geometry::{Pair, Vector, cross, unit};
 use crate::mechanism::BodyId;
 
@@ -41,8 +43,13 @@ impl Drawn<'_> {
         let [a, b] = pair.links().map(|link| solution.motion.body(link));
         let velocity = b.velocity_at(origin) - a.velocity_at(origin);
         let still = Pair::from(Vector::zeros());
-        let moved =
-            Moved { at: still, velocity: Pair::from(velocity), acceleration: still, omega: b.omega - a.omega, alpha: 0.0 };
+        let moved = Moved {
+            at: still,
+            velocity: Pair::from(velocity),
+            acceleration: still,
+            omega: b.omega - a.omega,
+            alpha: 0.0,
+        };
         let Pair { x, y } = moved.pole();
         let place = Vector::new(x, y);
         (place.norm() * f64::EPSILON.sqrt() < self.mm(1.0)).then_some(place)
@@ -137,7 +144,9 @@ fn within(drawn: &Drawn<'_>, [[a, b], [c, d]]: [[RuledEnd; 2]; 2]) -> Option<Vec
 pub(super) fn beside_pin_of_three(drawn: &Drawn<'_>) -> Vec<Candidate> {
     let mut all = Vec::new();
     for (index, center) in drawn.all.all.iter().enumerate() {
-        let (CenterOrigin::Pin(point), true) = (&center.origin, drawn.is_one_of_three(CenterId(index))) else { continue };
+        let (CenterOrigin::Pin(point), true) = (&center.origin, drawn.is_one_of_three(CenterId(index))) else {
+            continue;
+        };
         let name = drawn.site.key.solution.mechanism.point_name(*point);
         let told = || tell::pin_of_three(drawn.center(CenterId(index)), name.into());
         all.extend(all_lines_elsewhere(drawn, center.spot, told()));
@@ -209,9 +218,7 @@ fn past_pin(drawn: &Drawn<'_>, missed: LinkPair) -> Vec<OnRight> {
 /// Whether two lines are one.
 fn is_same(drawn: &Drawn<'_>, one: &Line, other: &Line) -> bool {
     let along = |line: &Line| match line.ends {
-        [RuledEnd::Towards(along), _] | [_, RuledEnd::Towards(along)] => {
-            Some(drawn.site.model.exact.along(&along))
-        }
+        [RuledEnd::Towards(along), _] | [_, RuledEnd::Towards(along)] => Some(drawn.site.model.exact.along(&along)),
         [from, towards] => unit(drawn.place_of(towards)? - drawn.place_of(from)?),
     };
     along(one).zip(along(other)).is_none_or(|(one, other)| cross(one, other).abs() < 1e-6)

@@ -18,7 +18,13 @@ type OverLink = (Option<BodyId>, [CenterId; 2]);
 
 impl Writer<'_> {
     /// Draws the centres that are wanted, and those that lead to them; the velocities of these points by centres, the centres of curvature of the paths of others, and inflection poles of links.
-    pub(crate) fn centers(&mut self, wanted: &[LinkPair], points: &[PointId], curved: &[PointId], inflected: &[BodyId]) {
+    pub(crate) fn centers(
+        &mut self,
+        wanted: &[LinkPair],
+        points: &[PointId],
+        curved: &[PointId],
+        inflected: &[BodyId],
+    ) {
         let links: Vec<BodyId> = links(self.mechanism);
         self.construction.centers = Some(Box::new(Centers { links: links.clone(), ..Centers::default() }));
         self.permanent_centers(&links);

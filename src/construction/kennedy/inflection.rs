@@ -64,8 +64,7 @@ impl Writer<'_> {
         let name = |head: Head| format!("{}({})", head.word(), self.mechanism.body(link).name);
         let [pole_name, diameter_name] = [Head::InflectionPole, Head::InflectionDiameter].map(name);
         let ends = [pole, found];
-        let diameter =
-            self.measure(Sheet::Centers, NumberKind::Reading(diameter_name.clone()), ends, MeasuredAs::Size);
+        let diameter = self.measure(Sheet::Centers, NumberKind::Reading(diameter_name.clone()), ends, MeasuredAs::Size);
         self.name_place(Sheet::Centers, &pole_name, found);
         let drawn = Inflection {
             tangent,

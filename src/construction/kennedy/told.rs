@@ -131,13 +131,17 @@ impl Teller<'_> {
         if let CurvatureStep::InflectionPoint | CurvatureStep::InflectionPole = step {
             let found = centers.inflections.get(index)?;
             let tangent = centers.tangents.get(found.tangent)?;
-            let [pole, pin, fixed] = [tangent.pole, tangent.rays[found.by].pin, tangent.rays[found.by].center]
-                .map(|id| self.symbol_of(id));
+            let [pole, pin, fixed] =
+                [tangent.pole, tangent.rays[found.by].pin, tangent.rays[found.by].center].map(|id| self.symbol_of(id));
             let is_pin = found.measured.is_empty();
             return Some(match step {
                 CurvatureStep::InflectionPoint if is_pin => language.inflection_in_pin(&pin, &fixed),
                 CurvatureStep::InflectionPoint => language.inflection_point(&pole, &pin, &fixed),
-                _ => language.inflection_pole(&pole, &self.inflection_symbol(tangent.link), if is_pin { &pin } else { "J" }),
+                _ => language.inflection_pole(
+                    &pole,
+                    &self.inflection_symbol(tangent.link),
+                    if is_pin { &pin } else { "J" },
+                ),
             });
         }
         let found = centers.curvatures.get(index)?;

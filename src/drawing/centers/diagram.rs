@@ -87,8 +87,8 @@ fn place_of_number([a, b]: [Point; 2], edges: &[[Point; 2]], numbers: &[Rect], s
     const FROM_EDGES: f64 = 2.8;
     const FROM_NUMBERS: f64 = 0.8;
     const SHARES: [f64; 21] = [
-        0.5, 0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66, 0.3, 0.7, 0.26, 0.74, 0.22, 0.78, 0.18, 0.82, 0.14, 0.86, 0.11,
-        0.89,
+        0.5, 0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66, 0.3, 0.7, 0.26, 0.74, 0.22, 0.78, 0.18, 0.82, 0.14, 0.86,
+        0.11, 0.89,
     ];
     let along = (b - a).normalize();
     let beside = Vec2::new(-along.y, along.x) * BESIDE;
