@@ -7,7 +7,7 @@ use crate::construction::{
     Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
-use crate::scene::{Component, QuantityName};
+use crate::scene::{Component, Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
@@ -214,8 +214,9 @@ impl Reader<'_> {
     }
 
     fn place_of_center(&self, pole: &Pole) -> Result<PlaceId, Unread> {
-        if matches!(pole.of, PoleOf::Inflection(_)) {
-            return self.writer.construction.place(Sheet::Centers, &pole.name).ok_or(Unread::NotDrawn);
+        if let PoleOf::Inflection(link) = pole.of {
+            let name = format!("{}({})", Head::InflectionPole.word(), self.writer.mechanism.body(link).name);
+            return self.writer.construction.place(Sheet::Centers, &name).ok_or(Unread::NotDrawn);
         }
         let id = self.drawn_center(pole)?;
         match self.writer.construction.center(id).map(|center| center.spot) {
