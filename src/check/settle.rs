@@ -69,10 +69,10 @@ impl<'a> Settling<'a> {
         // What is wrong before the first step shows at the step of the first value.
         let step = if self.template.step == 0 { entry.step } else { self.template.step };
         let named = |amounts: Vec<f64>| -> Vec<Candidate> {
-            let settled = self.with(&amounts);
+            let settled = Candidate { step, ..self.with(&amounts) };
             if self.template.mistake() == Mistake::Unknown {
                 let told = tell::unknown(Blank::Quantity(entry.asked.name().to_owned()));
-                return vec![Candidate { told, step, ..settled }];
+                return vec![Candidate { told, ..settled }];
             }
             let model = self.scorer.model(self.set);
             let place = |free: &Free| model.construction.operations[free.operation].kind.place();
