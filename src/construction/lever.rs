@@ -10,7 +10,7 @@ use super::sentence::Teller;
 use super::step::{Action, NOTHING};
 use super::writer::Writer;
 use crate::forces::{Driven, Forces, lever_states};
-use crate::geometry::{Ball, Number, Pair, Vector, unit};
+use crate::geometry::{Ball, Number, Pair, Point, Vector, unit};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::motion::State;
 use crate::sheet::{Order, QuantityKind, Sheet};
@@ -37,6 +37,8 @@ pub struct Lever {
     pub forces: Vec<LeverForce>,
     /// What the drive needs: torque, or force along the guide.
     pub effort: f64,
+    /// The name of that quantity.
+    pub(super) names: Vec<String>,
     /// The same as a number of the construction.
     pub(super) number: NumberId,
 }
@@ -183,7 +185,11 @@ impl Writer<'_> {
         let number = *found.first()?;
         self.finish(step, Action::Lever(LeverStep::Effort(index)));
         let effort = self.construction.record.exact.numbers[number.0].high;
-        Some(Lever { drive, rate, pole: Vector::zeros(), links, forces, effort, number })
+        let name = match drive {
+            Driven::Body(body) => format!("T({})", mechanism.body(body).name),
+            Driven::Slider(slider) => format!("F({})", mechanism.slider_name(slider)),
+        };
+        Some(Lever { drive, rate, pole: Vector::zeros(), links, forces, effort, names: vec![name], number })
     }
 
     /// The two forces of a couple at the images of two points: each is the couple over their distance, normal to their line.
@@ -289,6 +295,12 @@ impl Lever {
     pub fn shows(&self, force: &LeverForce) -> bool {
         let largest = self.forces.iter().map(|force| force.size).fold(0.0, f64::max);
         force.size > NOTHING * largest
+    }
+
+    /// The places on it, in units of velocity.
+    pub(crate) fn places(&self) -> impl Iterator<Item = Point> + Clone {
+        let images = self.links.iter().flat_map(|(_, images)| images.iter().map(|(_, at)| *at));
+        images.chain(self.forces.iter().map(|force| force.at)).chain([self.pole]).map(Point::from)
     }
 
     /// Its number, with the bound of its error.

@@ -11,6 +11,7 @@
 //! replaced by a mistaken one.
 
 mod band;
+mod force_reading;
 mod forces;
 mod name;
 mod poles;

@@ -79,6 +79,7 @@ impl QuantityRequest {
     pub fn sheet(&self) -> Sheet {
         match &self.what {
             What::Pole(_) | What::Length(Spot::Pole(_), _) | What::Length(_, Spot::Pole(_)) => Sheet::Centers,
+            What::Force(..) => Sheet::Forces,
             _ => self.order().map_or(Sheet::Scheme, Order::sheet),
         }
     }
@@ -87,6 +88,9 @@ impl QuantityRequest {
     #[must_use]
     pub fn sheet_by_hand(&self, construction: &Construction) -> Sheet {
         let own = self.sheet();
+        if own == Sheet::Forces {
+            return if construction.by_hand.contains(&own) { own } else { Sheet::Lever };
+        }
         let has_plan = own.order().is_none() || construction.by_hand.contains(&own);
         if has_plan { own } else { Sheet::Centers }
     }
@@ -107,7 +111,7 @@ impl QuantityRequest {
     /// Whether it is a length on its sheet; rates are computed from lengths.
     #[must_use]
     pub fn is_length_on_sheet(&self) -> bool {
-        !self.turns() && !self.is_rate()
+        !self.turns() && !self.is_rate() && self.kind() != QuantityKind::Moment
     }
 
     /// Whether it is the distance of two places: a length of the scheme, or a segment of a plan.
