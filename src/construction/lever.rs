@@ -60,6 +60,10 @@ pub struct LeverForce {
     pub size: f64,
     /// Its arm, positive where it turns the lever counter-clockwise.
     pub arm: f64,
+    /// Size and arm as numbers of the construction.
+    pub(crate) numbers: [NumberId; 2],
+    /// Where it acts, as a place of the construction.
+    pub(crate) place: PlaceId,
 }
 
 /// What is done in a step of a lever; levers and forces by their indices.
@@ -266,6 +270,8 @@ impl Writer<'_> {
             foot,
             size,
             arm: length,
+            numbers: [put.size, arm],
+            place,
         };
         Some((found, Some(Product::new(ProductKind::Moment, 1.0, &[put.size, arm]))))
     }

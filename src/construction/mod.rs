@@ -81,7 +81,7 @@ pub use operation::{
     Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, Reference, StepId,
 };
 pub use passage::{Aim, Passage};
-pub(crate) use polygon::FoundNumbers;
+pub(crate) use polygon::{FoundForce, FoundNumbers};
 pub use polygon::{
     ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint, Polygon, Side, SideKind,
 };

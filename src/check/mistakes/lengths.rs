@@ -40,6 +40,10 @@ fn measured(
 pub(super) fn component(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, _, number, ends) in measures(site) {
+        // Forces and arms are not measured between named points.
+        if matches!(site.number_kind(number), NumberKind::Force | NumberKind::Arm) {
+            continue;
+        }
         for (how, axis) in [(MeasuredAs::X, Blank::Horizontal), (MeasuredAs::Y, Blank::Vertical)] {
             let [from, to] = ends.map(|end| site.place(end));
             let told = tell::component(site.quantity(number), axis, from, to);

@@ -5,8 +5,10 @@
 mod catalogue;
 mod centers;
 mod copying;
+mod forces;
 mod images;
 mod lengths;
+mod moments;
 mod rates;
 mod rays;
 mod site;

@@ -35,8 +35,8 @@ use super::writer::Writer;
 use crate::forces::{Forces, Source, driven};
 use crate::geometry::{Point, Vector};
 use crate::mechanism::{BodyId, Class, Group, JointId, PointId, SliderId};
-pub(crate) use named::FoundNumbers;
-use named::{FoundForce, WholeForce};
+use named::WholeForce;
+pub(crate) use named::{FoundForce, FoundNumbers};
 use statics::Statics;
 
 /// The force polygons of a mechanism, and the moments from which their sides follow.

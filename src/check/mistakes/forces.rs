@@ -1,0 +1,501 @@
+//! Mistakes with forces: with loads, in polygons, and in what is handed on.
+
+use super::site::{Candidate, Site, instead, times};
+use super::told::{Blank, Told, tell};
+use crate::construction::{
+    Along, Change, Disturbance, ForceOf, ForcePart, ForcePlan, FoundForce, LoadShown, NumberId, OperationKind,
+    OperationRole, PlaceId, Solution, Teller, plain_text,
+};
+use crate::forces::Source;
+use crate::geometry::{Vector, unit};
+use crate::mechanism::BodyId;
+use crate::scene::Amount;
+use crate::sheet::Sheet;
+
+/// The force plan of a construction in which mistakes are looked for.
+pub(super) struct Drawn<'s> {
+    pub site: &'s Site<'s>,
+    pub plan: &'s ForcePlan,
+}
+
+/// The candidates that a function finds where there are forces.
+pub(super) fn found(site: &Site<'_>, find: impl Fn(&Drawn<'_>) -> Vec<Candidate>) -> Vec<Candidate> {
+    Drawn::of(site).map_or_else(Vec::new, |drawn| find(&drawn))
+}
+
+impl<'s> Drawn<'s> {
+    /// None where the figure has neither a force plan nor a lever.
+    fn of(site: &'s Site<'_>) -> Option<Drawn<'s>> {
+        let plan = site.model.construction.forces.as_deref()?;
+        Some(Drawn { site, plan })
+    }
+
+    pub fn solution(&self) -> &'s Solution {
+        self.site.key.solution
+    }
+
+    /// The step that first needs a number.
+    fn first_step(&self, number: NumberId) -> usize {
+        let uses = self.uses(number).next();
+        uses.map_or(0, |index| self.site.model.steps[index])
+    }
+
+    /// The operations that use a number.
+    pub fn uses(&self, number: NumberId) -> impl Iterator<Item = usize> {
+        let reads = move |kind: &OperationKind| {
+            let mut found = false;
+            kind.each_number_read(|other| found |= other == number);
+            found
+        };
+        self.site.operations().filter(move |(_, operation)| reads(&operation.kind)).map(|(index, _)| index)
+    }
+
+    /// A number that is made, multiplied in all that follows.
+    pub fn times(&self, number: NumberId, factor: f64) -> Option<Disturbance> {
+        Some(times(self.site.model.makers[number.0]?, number, factor))
+    }
+
+    /// Several changes as one mistake, at a step.
+    pub fn together(&self, told: Told, edits: Vec<Disturbance>, step: Option<usize>) -> Option<Candidate> {
+        let first = edits.iter().map(|edit| edit.operation).min()?;
+        let step = step.unwrap_or(self.site.model.steps[first]);
+        Some(Candidate { edits, ..Candidate::at(told, step) })
+    }
+
+    /// Changes of numbers that are taken, at the step that first needs one of them.
+    fn of_numbers(&self, told: Told, edits: Vec<(NumberId, Change)>) -> Option<Candidate> {
+        let step = edits.iter().map(|(number, _)| self.first_step(*number)).min()?;
+        let edit = |(number, change): (NumberId, Change)| {
+            Some(Disturbance { operation: self.site.model.makers[number.0]?, change })
+        };
+        self.together(told, edits.into_iter().filter_map(edit).collect(), Some(step))
+    }
+
+    fn teller<T>(&self, tell: impl FnOnce(&Teller<'_>) -> T) -> T {
+        let words = self.solution().wording();
+        tell(&Teller::new(self.solution(), &words))
+    }
+
+    /// A force by its symbol.
+    pub fn symbol(&self, of: ForceOf) -> Blank {
+        self.teller(|teller| Blank::Words(plain_text(&teller.force_symbol(of))))
+    }
+
+    /// A load by its symbol.
+    fn load_symbol(&self, load: &LoadShown) -> Blank {
+        self.teller(|teller| Blank::Words(plain_text(&teller.load_symbol(load.source, load.body))))
+    }
+
+    fn couple_symbol(&self, load: &LoadShown) -> Blank {
+        self.teller(|teller| Blank::Words(plain_text(&teller.couple_symbol(load.source, load.body))))
+    }
+
+    pub fn link(&self, body: BodyId) -> Blank {
+        self.solution().mechanism.body(body).name.as_str().into()
+    }
+
+    /// The loads, with their indices.
+    fn loads(&self) -> impl Iterator<Item = (usize, &'s LoadShown)> {
+        self.plan.loads.iter().enumerate()
+    }
+
+    /// The sizes of a load's force: in polygons and moments, and on levers.
+    fn force_numbers(&self, load: usize) -> Vec<NumberId> {
+        let own = self.plan.numbers.loads.get(load).and_then(|numbers| numbers[0]);
+        own.into_iter().chain(self.on_levers(load, false)).filter(|number| self.is_there(*number)).collect()
+    }
+
+    /// The sizes of a load's couple, and of the forces on levers that stand for it.
+    fn couple_numbers(&self, load: usize) -> Vec<NumberId> {
+        let own = self.plan.numbers.loads.get(load).and_then(|numbers| numbers[1]);
+        own.into_iter().chain(self.on_levers(load, true)).filter(|number| self.is_there(*number)).collect()
+    }
+
+    fn on_levers(&self, load: usize, is_of_couple: bool) -> impl Iterator<Item = NumberId> {
+        let forces = self.site.model.construction.levers.iter().flat_map(|lever| &lever.forces);
+        forces.filter(move |force| force.load == load && force.is_of_couple == is_of_couple).map(|force| force.numbers[0])
+    }
+
+    fn is_there(&self, number: NumberId) -> bool {
+        self.site.model.makers[number.0].is_some()
+    }
+
+    /// A load's force `factor` times as large wherever it is used.
+    fn force_times(&self, load: usize, factor: f64, told: Told) -> Option<Candidate> {
+        let times = |number| (number, Change::Times(number, factor));
+        self.of_numbers(told, self.force_numbers(load).into_iter().map(times).collect())
+    }
+
+    /// A load's couple `factor` times as large wherever it is used.
+    fn couple_times(&self, load: usize, factor: f64, told: Told) -> Option<Candidate> {
+        let times = |number| (number, Change::Times(number, factor));
+        self.of_numbers(told, self.couple_numbers(load).into_iter().map(times).collect())
+    }
+
+    /// Another force in place of a load's.
+    fn force_instead(&self, load: usize, force: Vector, told: Told) -> Option<Candidate> {
+        let shown = &self.plan.loads[load];
+        let numbers = self.force_numbers(load);
+        let (right, wrong) = (unit(shown.force)?, unit(force)?);
+        let mut candidate = self.of_numbers(
+            told,
+            numbers.iter().map(|number| (*number, Change::Written(*number, force.norm()))).collect(),
+        )?;
+        let along = Along::given(right);
+        let turned = Along::given(wrong);
+        let sizes: Vec<NumberId> = self.sizes_of(&numbers);
+        for (index, operation) in self.site.operations() {
+            let kind = match operation.kind {
+                OperationKind::LayOff { place, from, size, along: own } if own == along && sizes.contains(&size) => {
+                    OperationKind::LayOff { place, from, size, along: turned }
+                }
+                OperationKind::Draw { line, through, along: own }
+                    if own == along && operation.role == OperationRole::ForceLine && self.is_at(load, through) =>
+                {
+                    OperationKind::Draw { line, through, along: turned }
+                }
+                _ => continue,
+            };
+            candidate.edits.push(instead(index, kind));
+        }
+        Some(candidate)
+    }
+
+    /// Whether a place is that of a load: on the scheme or on a lever.
+    fn is_at(&self, load: usize, place: PlaceId) -> bool {
+        let mut on_levers = self.site.model.construction.levers.iter().flat_map(|lever| &lever.forces);
+        if on_levers.any(|force| force.load == load && force.place == place) {
+            return true;
+        }
+        let at = self.plan.loads[load].at - self.site.model.construction.origin;
+        (self.site.model.exact.place(place) - at).norm() <= 1e-6 * at.norm().max(1.0)
+    }
+
+    /// The computed sizes of vectors that are these numbers alone.
+    fn sizes_of(&self, numbers: &[NumberId]) -> Vec<NumberId> {
+        let sizes = self.site.operations().filter_map(|(_, operation)| match &operation.kind {
+            OperationKind::Compute { number, sum } => match sum.as_slice() {
+                [product] if product.of.len() == 1 && numbers.contains(&product.of[0]) => Some(*number),
+                _ => None,
+            },
+            _ => None,
+        });
+        sizes.collect()
+    }
+}
+
+/// The forces of inertia along the accelerations.
+pub(super) fn inertia_along(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let inertia = drawn.loads().filter(|(_, load)| load.source == Source::Inertia);
+        let mut all: Vec<Candidate> = inertia
+            .filter_map(|(index, load)| drawn.force_times(index, -1.0, tell::inertia_along_a(drawn.load_symbol(load))))
+            .collect();
+        all.extend(all_of(&all, first_blank, tell::inertia_along_a));
+        all
+    })
+}
+
+/// The same mistake with all of several loads: its first blank has the symbols of all.
+fn all_of(each: &[Candidate], blanks: impl Fn(&Told) -> Vec<Blank>, tell: fn(Blank) -> Told) -> Option<Candidate> {
+    if each.len() < 2 {
+        return None;
+    }
+    let symbols = each.iter().filter_map(|one| Some(blanks(&one.told).first()?.text().to_owned()));
+    let told = tell(Blank::Words(symbols.collect::<Vec<_>>().join(", ")));
+    let edits = each.iter().flat_map(|one| one.edits.iter().cloned()).collect();
+    let step = each.iter().map(|one| one.step).min()?;
+    Some(Candidate { edits, ..Candidate::at(told, step) })
+}
+
+fn first_blank(told: &Told) -> Vec<Blank> {
+    told.blanks.iter().map(|(_, blank)| blank.clone()).collect()
+}
+
+/// The couples of inertia in the sense of the angular acceleration.
+pub(super) fn couple_along(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let inertia = drawn.loads().filter(|(_, load)| load.source == Source::Inertia);
+        let mut all: Vec<Candidate> = inertia
+            .filter_map(|(index, load)| {
+                drawn.couple_times(index, -1.0, tell::inertia_couple_along_alpha(drawn.couple_symbol(load)))
+            })
+            .collect();
+        all.extend(all_of(&all, first_blank, tell::inertia_couple_along_alpha));
+        all
+    })
+}
+
+/// The force of inertia on the wrong side of the centre: its moments have the couple the wrong way round, which is written right.
+pub(super) fn percussion(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let both = drawn.loads().filter_map(|(index, load)| {
+            let numbers = drawn.couple_numbers(index);
+            let is_one_force = load.source == Source::Inertia && !drawn.force_numbers(index).is_empty();
+            if !is_one_force || numbers.is_empty() {
+                return None;
+            }
+            drawn.couple_times(index, -1.0, tell::percussion_on_wrong_side(drawn.load_symbol(load)))
+        });
+        both.collect()
+    })
+}
+
+/// A couple left out of the moments: of a load, or what a guide hands on.
+pub(super) fn couple_forgotten(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let of_loads = drawn.loads();
+        let mut all: Vec<Candidate> = of_loads
+            .filter_map(|(index, load)| drawn.couple_times(index, 0.0, tell::couple_forgotten(drawn.couple_symbol(load))))
+            .collect();
+        all.extend(all_of(&all, first_blank, tell::couple_forgotten));
+        all
+    })
+}
+
+/// The acceleration of a joint in place of that of the centre of mass.
+pub(super) fn joint_for_center(site: &Site<'_>) -> Vec<Candidate> {
+    of_acceleration(site, |accelerations, told| {
+        let [of_point, _] = accelerations;
+        (of_point, tell::a_of_joint_for_centre(told.0, told.1))
+    })
+}
+
+/// The centripetal part left out of the acceleration of the centre of mass.
+pub(super) fn centripetal_left_out(site: &Site<'_>) -> Vec<Candidate> {
+    of_acceleration(site, |accelerations, told| {
+        let [_, without] = accelerations;
+        (without, tell::centripetal_part_left_out(told.0, told.1))
+    })
+}
+
+/// Forces of inertia by a wrong acceleration of the centre of mass: `wrong` takes that of a joint of the link, and that of the centre without its normal part
+/// about the joint.
+fn of_acceleration(
+    site: &Site<'_>,
+    wrong: fn([Vector; 2], (Blank, Blank)) -> (Vector, Told),
+) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let Solution { mechanism, pose, motion, .. } = drawn.solution();
+        let mut all = Vec::new();
+        for (index, load) in drawn.loads().filter(|(_, load)| load.source == Source::Inertia) {
+            let body = motion.body(load.body);
+            let right = body.acceleration_at(load.at);
+            let amount = load.force.norm() / right.norm();
+            for &point in &mechanism.body(load.body).points {
+                let at = pose.point(point);
+                let of_point = body.acceleration_at(at);
+                let without = right + (load.at - at) * (body.omega * body.omega);
+                let told = (drawn.load_symbol(load), mechanism.point_name(point).into());
+                let (taken, told) = wrong([of_point, without], told);
+                if amount.is_finite() && (taken - right).norm() > 1e-3 * right.norm() {
+                    let force = taken * -amount;
+                    let instead = match force.norm() > 1e-9 * load.force.norm() {
+                        true => drawn.force_instead(index, force, told),
+                        false => drawn.force_times(index, 0.0, told),
+                    };
+                    all.extend(instead);
+                }
+            }
+        }
+        all
+    })
+}
+
+/// Powers of ten by which units of mass and acceleration slip.
+const THOUSANDS: [f64; 2] = [1e3, 1e-3];
+
+/// The mass taken for the weight; forces of inertia and weights in another unit.
+pub(super) fn mass_for_weight(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let loads = drawn.solution().mechanism.loads.as_deref().map(|(loads, _)| loads);
+        let mass = |body: BodyId| {
+            let name = drawn.solution().mechanism.body(body).name.as_str();
+            let mut masses = loads.into_iter().flat_map(|loads| &loads.masses);
+            masses.find(|(link, _)| *link == name).and_then(|(_, mass)| match mass.amount {
+                Amount::Mass(amount) => Some(amount),
+                Amount::Weight(_) => None,
+            })
+        };
+        let mut all = Vec::new();
+        let mut together: Vec<Vec<Candidate>> = vec![Vec::new(); THOUSANDS.len()];
+        for (index, load) in drawn.loads() {
+            if load.source == Source::Weight
+                && let Some(mass) = mass(load.body)
+            {
+                let told = tell::mass_for_weight(drawn.load_symbol(load));
+                all.extend(drawn.force_times(index, mass / load.force.norm(), told));
+            }
+            if !matches!(load.source, Source::Weight | Source::Inertia) {
+                continue;
+            }
+            for (place, factor) in THOUSANDS.into_iter().enumerate() {
+                let told = tell::factor_of_thousand(drawn.load_symbol(load));
+                let forces = drawn.force_times(index, factor, told);
+                let couple = drawn.couple_times(index, factor, tell::factor_of_thousand(drawn.couple_symbol(load)));
+                together[place].extend(forces.iter().filter(|_| load.source == Source::Inertia).cloned());
+                all.extend(forces);
+                all.extend(couple);
+            }
+        }
+        all.extend(together.iter().filter_map(|each| all_of(each, first_blank, tell::factor_of_thousand)));
+        all
+    })
+}
+
+impl Drawn<'_> {
+    /// The forces that are laid off in polygons: the operation that computes the size, the size, the force's number and what it is.
+    fn laid_off(&self) -> Vec<(usize, NumberId, NumberId, usize)> {
+        let laid = self.site.operations().filter_map(|(index, operation)| match operation.kind {
+            OperationKind::LayOff { size, .. } if operation.sheet == Sheet::Forces => {
+                let maker = self.site.model.makers[size.0]?;
+                let OperationKind::Compute { sum, .. } = &self.site.operation(maker).kind else { return None };
+                Some((maker, size, *sum.first()?.of.first()?, index))
+            }
+            _ => None,
+        });
+        laid.collect()
+    }
+
+    /// What a number of a force is.
+    fn force_of(&self, number: NumberId) -> Option<ForceOf> {
+        let numbers = &self.plan.numbers;
+        let load = numbers.loads.iter().position(|own| own[0] == Some(number)).map(ForceOf::Load);
+        let part = || numbers.parts.iter().find(|part| part.size == number).map(|part| part.of);
+        let whole = || {
+            let force = numbers.whole.iter().find(|force| force.size == number)?;
+            Some(ForceOf::Joint { joint: force.joint, on: force.on, part: ForcePart::Whole })
+        };
+        load.or_else(part).or_else(whole)
+    }
+
+    /// A force of a polygon `factor` times as large there.
+    fn in_polygon(&self, factor: f64, tell: fn(Blank) -> Told) -> Vec<Candidate> {
+        let laid = self.laid_off().into_iter().filter_map(|(maker, size, number, index)| {
+            let told = tell(self.symbol(self.force_of(number)?));
+            Some(Candidate { step: self.site.model.steps[index], ..self.site.candidate(told, times(maker, size, factor)) })
+        });
+        laid.collect()
+    }
+}
+
+/// A force left out of a polygon.
+pub(super) fn missing(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| drawn.in_polygon(0.0, tell::force_missing_in_polygon))
+}
+
+/// A force laid off twice.
+pub(super) fn twice(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| drawn.in_polygon(2.0, tell::force_twice))
+}
+
+/// What a joint does to one link handed on to the other without being reversed; or written as it acts on the other one.
+pub(super) fn not_reversed(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let whole = drawn.plan.numbers.whole.iter().filter(|force| drawn.uses(force.size).next().is_some());
+        let handed = whole.filter_map(|force| {
+            let of = ForceOf::Joint { joint: force.joint, on: force.on, part: ForcePart::Whole };
+            let step = drawn.first_step(force.size);
+            let told = tell::reaction_not_reversed(drawn.symbol(of));
+            drawn.together(told, vec![drawn.times(force.size, -1.0)?], Some(step))
+        });
+        handed.collect()
+    })
+}
+
+/// The part across a link, found negative, laid off as if it were positive.
+pub(super) fn negative_kept(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let is_across = |part: &&FoundForce| {
+            matches!(part.of, ForceOf::Joint { part: ForcePart::Tangential | ForcePart::Normal, .. })
+                && site.model.makers[part.size.0]
+                    .is_some_and(|maker| matches!(site.operation(maker).kind, OperationKind::Solve { .. }))
+        };
+        let kept = drawn.plan.numbers.parts.iter().filter(is_across).filter_map(|part| {
+            let told = tell::negative_tangential_kept(drawn.symbol(part.of));
+            drawn.together(told, vec![drawn.times(part.size, -1.0)?], Some(drawn.first_step(part.size)))
+        });
+        kept.collect()
+    })
+}
+
+impl Drawn<'_> {
+    /// A found force drawn a quarter turn off, in its polygon and where its line of action is drawn.
+    fn across(&self, part: &FoundForce, told: Told) -> Option<Candidate> {
+        let mut edits = Vec::new();
+        for (index, operation) in self.site.operations() {
+            let kind = match operation.kind {
+                OperationKind::Draw { line, through, along }
+                    if along == part.along && operation.sheet == Sheet::Forces =>
+                {
+                    OperationKind::Draw { line, through, along: along.turned(1) }
+                }
+                OperationKind::LayOff { place, from, size, along }
+                    if along == part.along && self.sizes_of(&[part.size]).contains(&size) =>
+                {
+                    OperationKind::LayOff { place, from, size, along: along.turned(1) }
+                }
+                _ => continue,
+            };
+            edits.push(instead(index, kind));
+        }
+        self.together(told, edits, None)
+    }
+}
+
+/// The part along a link drawn across it.
+pub(super) fn normal_across(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let is_pin = |joint| drawn.solution().mechanism.joint(joint).slider.is_none();
+        let across = drawn.plan.numbers.parts.iter().filter_map(|part| match part.of {
+            ForceOf::Joint { joint, part: ForcePart::Normal, .. } if is_pin(joint) => {
+                drawn.across(part, tell::normal_across(drawn.symbol(part.of)))
+            }
+            _ => None,
+        });
+        across.collect()
+    })
+}
+
+/// What a guide does, drawn along the guide.
+pub(super) fn along_guide(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let solution = drawn.solution();
+        let along = drawn.plan.numbers.parts.iter().filter_map(|part| match part.of {
+            ForceOf::Joint { joint, part: kind, .. } if kind != ForcePart::AlongGuide => {
+                let slider = solution.mechanism.joint(joint).slider?;
+                let guide = Blank::Guide(solution.mechanism.slider_in_words(slider, &solution.wording()));
+                drawn.across(part, tell::guide_reaction_along_rod(drawn.symbol(part.of), guide))
+            }
+            _ => None,
+        });
+        along.collect()
+    })
+}
+
+/// What a guide does taken to act in the slider's point.
+pub(super) fn through_pin(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let solution = drawn.solution();
+        let couples = drawn.plan.numbers.couples.iter().filter_map(|(slider, (number, _))| {
+            let point = solution.mechanism.point_name(solution.mechanism.slider(*slider).at);
+            let guide = Blank::Guide(solution.mechanism.slider_in_words(*slider, &solution.wording()));
+            let edit = drawn.times(*number, 0.0)?;
+            Some(site.candidate(tell::guide_reaction_through_pin(guide, point.into()), edit))
+        });
+        couples.collect()
+    })
+}
+
+/// The torque of a drive with the sense of what it works against.
+pub(super) fn torque_sense(site: &Site<'_>) -> Vec<Candidate> {
+    found(site, |drawn| {
+        let torques = drawn.plan.numbers.torques.values().copied();
+        let on_levers = site.model.construction.levers.iter().map(|lever| lever.number());
+        let all = torques.chain(on_levers).chain(drawn.plan.numbers.pushes.values().map(|push| push.0));
+        let all = all.filter_map(|number| {
+            Some(site.candidate(tell::torque_sense(site.quantity(number)), drawn.times(number, -1.0)?))
+        });
+        all.collect()
+    })
+}
