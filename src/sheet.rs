@@ -67,6 +67,8 @@ pub enum QuantityKind {
     Force,
     /// A torque or a couple.
     Moment,
+    /// The power of a load.
+    Power,
 }
 
 /// What there is to say of a sheet.

@@ -76,10 +76,14 @@ impl<'a> Bounds<'a> {
     pub(crate) fn forces(&self) -> Option<&Forces> {
         let enclosed = || {
             let enclosure = self.enclosure.as_ref().filter(|_| self.mechanism.loads.is_some())?;
-            let posed = Loaded::new(self.scene, self.mechanism, enclosure);
-            forces(self.mechanism, &posed)
+            forces(self.mechanism, &self.loaded(enclosure))
         };
         self.forces.get_or_init(enclosed).as_ref()
+    }
+
+    /// What forces ask of an enclosure.
+    pub(super) fn loaded<'e>(&'e self, enclosure: &'e Enclosure) -> Loaded<'e> {
+        Loaded::new(self.scene, self.mechanism, enclosure)
     }
 
     /// Bound of the error of a number that is read from forces, and from the directions of guides.

@@ -190,6 +190,11 @@ impl Posed<Ball> for Loaded<'_> {
         acceleration
     }
 
+    fn rates(&self, body: BodyId, place: Vector) -> (Vector, Ball) {
+        let motion = self.enclosure.state.body(body).referred_to(place);
+        (motion.velocity, motion.omega)
+    }
+
     fn alpha(&self, body: BodyId) -> Ball {
         self.enclosure.state.body(body).alpha
     }

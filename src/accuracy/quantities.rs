@@ -96,10 +96,13 @@ impl Bounds<'_> {
                 let (body, place) = self.true_place(e, spot)?;
                 TrueValue::Number(e.path_radius(body, place))
             }
-            What::Force(of, mechanism) => match of.read(mechanism, self.forces()?, |slider| e.guide(slider))? {
-                ForceRead::Number(number) => TrueValue::Number(number),
-                ForceRead::Vector(vector) => TrueValue::Vector(vector),
-            },
+            What::Force(of, mechanism) => {
+                let about = of.about().and_then(|spot| self.true_place(e, spot)).map(|(_, place)| place);
+                match of.read(mechanism, self.forces()?, &self.loaded(e), about)? {
+                    ForceRead::Number(number) => TrueValue::Number(number),
+                    ForceRead::Vector(vector) => TrueValue::Vector(vector),
+                }
+            }
             What::Rate(_) | What::Angle(_) | What::SlidePosition(_) => return None,
         })
     }

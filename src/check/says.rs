@@ -49,6 +49,7 @@ messages! { "check":
     acceleration;
     force;
     moment;
+    power;
 
     // Tables.
     no_table(error);

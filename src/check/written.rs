@@ -204,7 +204,9 @@ fn factor(text: &str, kind: QuantityKind, units: Units) -> Result<f64, CheckErro
         (QuantityKind::Length | QuantityKind::Position, _) => length().filter(|_| below.is_none()),
         (QuantityKind::Velocity, _) => length().and_then(per_time),
         (QuantityKind::Acceleration, _) => length().and_then(per_time_squared),
-        (QuantityKind::Force | QuantityKind::Moment, own) => (own == kind.unit(units)).then_some(1.0),
+        (QuantityKind::Force | QuantityKind::Moment | QuantityKind::Power, own) => {
+            (own == kind.unit(units)).then_some(1.0)
+        }
     };
     found.ok_or_else(|| CheckError::new(says::no_unit_of(shown(text), said(kind)), says::write_unit(kind.unit(units))))
 }
@@ -227,5 +229,6 @@ fn said(kind: QuantityKind) -> Message {
         QuantityKind::Acceleration => says::acceleration(),
         QuantityKind::Force => says::force(),
         QuantityKind::Moment => says::moment(),
+        QuantityKind::Power => says::power(),
     }
 }

@@ -304,7 +304,7 @@ fn typical_size(path: &Path, kind: QuantityKind) -> f64 {
         QuantityKind::Velocity => first * size,
         QuantityKind::Acceleration => second * size,
         // How large forces are, only their curves tell.
-        QuantityKind::Force | QuantityKind::Moment => 0.0,
+        QuantityKind::Force | QuantityKind::Moment | QuantityKind::Power => 0.0,
     }
 }
 

@@ -221,9 +221,16 @@ impl<'a> Renamer<'a> {
         QuantityName::reworded(name, |argument, name| match (argument, self.what) {
             (Argument::Slider, _) => name.split_once('/').and_then(|(sliding, on)| self.slider(sliding, on)),
             (Argument::Link, Named::Link) => (name == self.from).then(|| self.to.to_owned()),
-            (Argument::Link, Named::Point) => None,
+            (Argument::Load, Named::Link) => self.load(name),
+            (Argument::Link | Argument::Load, Named::Point) | (Argument::Nothing, _) => None,
             (Argument::Point, _) => self.plan_name(name),
         })
+    }
+
+    /// The name of a load, as `weight(2)`.
+    fn load(&self, name: &str) -> Option<String> {
+        let (of, link) = name.strip_suffix(')')?.split_once('(')?;
+        (link.trim() == self.from).then(|| format!("{of}({})", self.to))
     }
 
     /// The name of a slider, as `3/2`, `P/3` or `P/3#2`.

@@ -3,7 +3,7 @@
 use super::{Counted, Posed};
 use crate::geometry::{Ball, Pair, Solvable, degrees_of};
 use crate::mechanism::{BodyId, GROUND, Mechanism};
-use crate::scene::{Amount, Analysis, Gauge, GivenBy, LinkPlace, Load, Loads, Mass, On, Spring, SpringEnd};
+use crate::scene::{Amount, Analysis, Gauge, GivenBy, LinkPlace, Load, Loads, Mass, Spring, SpringEnd};
 use std::marker::PhantomData;
 
 /// Where a load comes from.
@@ -74,6 +74,13 @@ pub(super) fn acting<N: Counted>(
     Some(all)
 }
 
+/// The centre of mass of a body; `None` of one without a mass.
+pub(crate) fn center<N: Counted>(mechanism: &Mechanism, posed: &impl Posed<N>, body: BodyId) -> Option<Pair<N>> {
+    let loads = &mechanism.loads.as_ref()?.0;
+    let mass = loads.masses.get(&mechanism.body(body).name)?;
+    Some(Here { mechanism, posed, numbers: PhantomData }.place(body, &mass.center))
+}
+
 struct Here<'a, P, N> {
     mechanism: &'a Mechanism,
     posed: &'a P,
@@ -135,10 +142,7 @@ impl<N: Counted, P: Posed<N>> Here<'_, P, N> {
 
     /// What a spring does to both its ends.
     fn spring(&self, index: usize, spring: &Spring) -> Vec<Acting<N>> {
-        let end = |end: &SpringEnd| match &end.on {
-            On::Ground => Some((GROUND, self.place(GROUND, &end.at))),
-            On::Link(link) => self.mechanism.link(link).map(|body| (body, self.place(body, &end.at))),
-        };
+        let end = |end: &SpringEnd| self.mechanism.body_named(&end.on).map(|body| (body, self.place(body, &end.at)));
         let [Some((first, from)), Some((second, to))] = spring.ends.each_ref().map(end) else {
             return Vec::new();
         };

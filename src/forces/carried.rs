@@ -1,8 +1,9 @@
 //! Forces in joints and drives, and what is read from them.
 
-use super::acting::{Acting, Source, Wrench};
+use super::acting::{Acting, Source, Wrench, about};
+use super::{Counted, Posed};
 use crate::geometry::{Ball, Pair, Solvable};
-use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
+use crate::mechanism::{BodyId, GROUND, JointId, Mechanism, PointId, SliderId};
 
 /// What a joint carries: the force on its second body at the joint's place, and a couple. A slider's second body is the sliding link.
 #[derive(Clone, Copy, Debug, Default)]
@@ -66,6 +67,11 @@ impl<N: Solvable> Forces<N> {
         sum
     }
 
+    /// The load of a kind on a body.
+    pub(crate) fn load(&self, source: Source, body: BodyId) -> Option<&Acting<N>> {
+        self.acting.iter().find(|load| load.source == source && load.body == body)
+    }
+
     fn slider(&self, mechanism: &Mechanism, slider: SliderId) -> &Carried<N> {
         let JointId(joint) = mechanism.slider_joint(slider);
         &self.joints[joint]
@@ -81,6 +87,14 @@ impl<N: Solvable> Forces<N> {
         self.slider(mechanism, slider).couple
     }
 
+    /// The moment of what the links do to the frame, about a place.
+    pub(crate) fn frame_moment(&self, mechanism: &Mechanism, posed: &impl Posed<N>, place: Pair<N>) -> N
+    where
+        N: Counted,
+    {
+        self.frame.moment + (about(mechanism, posed, GROUND) - place).cross(self.frame.force)
+    }
+
     /// The torque of a link's drive.
     pub(crate) fn torque(&self, link: BodyId) -> N {
         self.torques[link.0]
@@ -93,11 +107,6 @@ impl<N: Solvable> Forces<N> {
 }
 
 impl Forces {
-    /// The load of a kind on a body.
-    pub(crate) fn load(&self, source: Source, body: BodyId) -> Option<&Acting> {
-        self.acting.iter().find(|load| load.source == source && load.body == body)
-    }
-
     /// How far both routes to the drives' torques and forces differ.
     #[must_use]
     pub fn agreement(&self) -> Agreement {

@@ -30,6 +30,7 @@ mod equilibrium;
 mod power;
 
 pub use acting::Source;
+pub(crate) use acting::center;
 pub use carried::{Agreement, Drive, Forces};
 pub(crate) use equilibrium::{driven, own_joint};
 pub use power::Driven;
@@ -57,6 +58,8 @@ pub(crate) trait Posed<N> {
     fn local(&self, body: BodyId, point: PointId) -> Pair<N>;
     /// The acceleration of the body's point at a place.
     fn acceleration(&self, body: BodyId, place: Pair<N>) -> Pair<N>;
+    /// The velocity of the body's point at a place, and the body's angular velocity.
+    fn rates(&self, body: BodyId, place: Pair<N>) -> (Pair<N>, N);
     /// The angular acceleration of a body.
     fn alpha(&self, body: BodyId) -> N;
 }
@@ -166,6 +169,11 @@ impl Posed<Ball> for AtPose<'_> {
 
     fn acceleration(&self, body: BodyId, place: Pair<Ball>) -> Pair<Ball> {
         self.state.body(body).referred_to(place).acceleration
+    }
+
+    fn rates(&self, body: BodyId, place: Pair<Ball>) -> (Pair<Ball>, Ball) {
+        let motion = self.state.body(body).referred_to(place);
+        (motion.velocity, motion.omega)
     }
 
     fn alpha(&self, body: BodyId) -> Ball {

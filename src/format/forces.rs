@@ -5,6 +5,7 @@ use crate::construction::Solution;
 use crate::forces::{Forces, Source};
 use crate::geometry::{Ball, Pair};
 use crate::mechanism::{BodyId, PointId};
+use crate::quantity::LoadOf;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -184,25 +185,15 @@ fn drives(solution: &Solution, forces: &Forces, bounds: &Bounds<'_>) -> IndexMap
             torque: drive.body.map(|_| effort),
             force: drive.slider.map(|_| effort),
             error: bounds.of_force(effort, |f, _| f.drives.get(index).map(|drive| drive.effort)),
-            powers: powers.map(|(load, power)| (load_name(solution, load.source, load.body), power.high)).collect(),
+            powers: powers
+                .map(|(load, power)| {
+                    (LoadOf { source: load.source, body: load.body }.name(&solution.mechanism), power.high)
+                })
+                .collect(),
         };
         (name, result)
     };
     names.into_iter().zip(&forces.drives).enumerate().map(drive).collect()
-}
-
-/// The name of a load in results: that which the scene gives it, `weight(2)`, `inertia(2)`; of a spring with the link on which it pulls.
-fn load_name(solution: &Solution, source: Source, body: BodyId) -> String {
-    let link = &solution.mechanism.body(body).name;
-    let loads = solution.scene.loads.as_ref();
-    match source {
-        Source::Weight => format!("weight({link})"),
-        Source::Inertia => format!("inertia({link})"),
-        Source::Given(index) => loads.map_or_else(String::new, |loads| loads.loads[index].name.clone()),
-        Source::Spring(index) => {
-            loads.map_or_else(String::new, |loads| format!("{}({link})", loads.springs[index].name))
-        }
-    }
 }
 
 fn inertia(solution: &Solution, forces: &Forces, bounds: &Bounds<'_>) -> IndexMap<String, InertiaResult> {

@@ -33,7 +33,7 @@ pub use loops::{AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduct
 use crate::Problem;
 use crate::geometry::{Ball, Point, Vector};
 use crate::message::Message;
-use crate::scene::{GivenBy, Loads, SceneError};
+use crate::scene::{GivenBy, Loads, On, SceneError};
 use std::sync::Arc;
 
 /// Index of a named point in [`Mechanism::points`].
@@ -226,6 +226,14 @@ impl Mechanism {
     #[must_use]
     pub fn link(&self, name: &str) -> Option<BodyId> {
         self.bodies.iter().position(|b| b.name == name && !b.is_nameless()).map(BodyId)
+    }
+
+    /// The frame, or the link of that name.
+    pub(crate) fn body_named(&self, on: &On) -> Option<BodyId> {
+        match on {
+            On::Ground => Some(GROUND),
+            On::Link(link) => self.link(link),
+        }
     }
 
     /// The links with names of their own: all bodies but ground, carriers and blocks.

@@ -1,24 +1,31 @@
 //! How a hand reads forces and moments from its force plan or its lever.
 
-use super::name::{ForceOf, QuantityRequest};
+use super::force_name::{ForceOf, LinePart};
+use super::name::QuantityRequest;
 use super::reading::{Reader, Sense, Unread};
 use crate::construction::{
-    Along, Equation, ForceOf as Drawn, ForcePart, MeasuredAs, NumberId, NumberKind, OperationRole, Product,
+    Along, Equation, ForceOf as Drawn, ForcePart, LoadShown, MeasuredAs, NumberId, NumberKind, OperationRole, Product,
 };
-use crate::forces::Driven;
+use crate::forces::{Driven, Source};
 use crate::mechanism::{BodyId, JointId, PointId, SliderId};
 use crate::scene::Component;
 use crate::sheet::Sheet;
 
 impl Reader<'_> {
     /// A force or a moment: the number that the plan finds for it, or measured in its polygon.
-    pub(super) fn force(&mut self, asked: &QuantityRequest, of: ForceOf) -> Result<(NumberId, Sense), Unread> {
+    pub(super) fn force(&mut self, asked: &QuantityRequest, of: &ForceOf) -> Result<(NumberId, Sense), Unread> {
         let by_hand = &self.writer.construction.by_hand;
         if !by_hand.contains(&Sheet::Forces) && !by_hand.contains(&Sheet::Lever) {
             return Err(Unread::NoSheet(Sheet::Forces));
         }
-        match of {
+        match *of {
             ForceOf::Reaction(pin, body) => self.reaction(asked, pin, body),
+            ForceOf::ReactionPart(part, pin, body, _) => Ok((self.part_of_reaction(part, pin, body)?, Sense::Magnitude)),
+            ForceOf::Offset(slider) => self.offset(asked, slider),
+            ForceOf::InertiaForce(body) if asked.written.component == Some(Component::Size) => {
+                Ok((self.inertia(body, 0)?, Sense::Magnitude))
+            }
+            ForceOf::InertiaCouple(body) => Ok((self.inertia(body, 1)?, Sense::Signed)),
             ForceOf::Normal(slider) => Ok((self.normal(slider)?, Sense::Signed)),
             ForceOf::Couple(slider) => Ok((self.couple(slider)?, Sense::Signed)),
             ForceOf::Torque(link) => {
@@ -33,7 +40,38 @@ impl Reader<'_> {
                     None => Ok((self.on_lever(Driven::Slider(slider)).ok_or(Unread::NotDrawn)?, Sense::Signed)),
                 }
             }
+            _ => Err(Unread::NotDrawn),
         }
+    }
+
+    /// The force of inertia of a link, or its couple, as it is taken. Where accelerations are drawn it is as good as these are.
+    fn inertia(&self, body: BodyId, which: usize) -> Result<NumberId, Unread> {
+        let construction = &self.writer.construction;
+        if construction.by_hand.contains(&Sheet::Acceleration) {
+            return Err(Unread::NotDrawn);
+        }
+        let plan = construction.forces.as_deref().ok_or(Unread::NotDrawn)?;
+        let is_it = |load: &LoadShown| load.source == Source::Inertia && load.body == body;
+        let index = plan.loads.iter().position(is_it).ok_or(Unread::NotDrawn)?;
+        plan.numbers.loads.get(index).and_then(|numbers| numbers[which]).ok_or(Unread::Given)
+    }
+
+    /// A part of what a pin does to a link, along the line of its two joints or across.
+    fn part_of_reaction(&self, part: LinePart, pin: PointId, body: BodyId) -> Result<NumberId, Unread> {
+        let mechanism = self.writer.mechanism;
+        let is_meant = |kind: ForcePart| match part {
+            LinePart::Along => matches!(kind, ForcePart::Normal | ForcePart::AcrossGuide),
+            LinePart::Across => matches!(kind, ForcePart::Tangential | ForcePart::AlongGuide),
+        };
+        let is_it = |of: &Drawn| match of {
+            Drawn::Joint { joint, part, .. } => {
+                let joint = mechanism.joint(*joint);
+                joint.pin == Some(pin) && joint.bodies.contains(&body) && is_meant(*part)
+            }
+            _ => false,
+        };
+        let mut parts = self.numbers()?.parts.iter();
+        parts.find(|part| is_it(&part.of)).map(|part| part.size).ok_or(Unread::NotDrawn)
     }
 
     fn numbers(&self) -> Result<&crate::construction::FoundNumbers, Unread> {

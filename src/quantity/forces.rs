@@ -1,10 +1,11 @@
 //! Forces in joints and drives as quantities, in a position with its rates.
 
-use super::name::{ForceOf, QuantityError, QuantityRequest};
+use super::force_name::{ForceOf, LinePart, LoadOf, Towards};
+use super::name::QuantityError;
 use super::says;
-use super::value::{Quantity, State};
-use crate::forces::{Forces, Posed, in_equilibrium};
-use crate::geometry::{Pair, Point, Solvable, Vector};
+use super::value::{Quantity, Reader, State};
+use crate::forces::{Counted, Forces, Posed, Source, center, in_equilibrium};
+use crate::geometry::{Pair, Point, Vector};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use std::cell::OnceCell;
 
@@ -21,39 +22,67 @@ pub(crate) enum ForceRead<N> {
 pub struct KeptForces(OnceCell<Option<Box<Forces<f64>>>>);
 
 impl ForceOf {
-    /// It among all forces; `guide` gives the directions of guides. `None` where the body has no joint with the pin.
-    pub(crate) fn read<N: Solvable>(
-        self,
+    /// It among all forces of a position; `about` is the place about which it is a moment. `None` where the body has no joint with the
+    /// pin, and without that place.
+    pub(crate) fn read<N: Counted>(
+        &self,
         mechanism: &Mechanism,
         forces: &Forces<N>,
-        guide: impl Fn(SliderId) -> Pair<N>,
+        posed: &impl Posed<N>,
+        about: Option<Pair<N>>,
     ) -> Option<ForceRead<N>> {
-        Some(match self {
-            ForceOf::Reaction(pin, body) => ForceRead::Vector(forces.at_pin(mechanism, pin, body)?),
-            ForceOf::Normal(slider) => ForceRead::Number(forces.normal(mechanism, slider, guide(slider))),
-            ForceOf::Couple(slider) => ForceRead::Number(forces.couple(mechanism, slider)),
-            ForceOf::Torque(link) => ForceRead::Number(forces.torque(link)),
-            ForceOf::Push(slider) => ForceRead::Number(forces.push(mechanism, slider, guide(slider))),
+        use ForceRead::{Number, Vector};
+        let load = |of: &LoadOf| forces.load(of.source, of.body);
+        let inertia = |body: BodyId| forces.load(Source::Inertia, body);
+        Some(match *self {
+            ForceOf::Reaction(pin, body) => Vector(forces.at_pin(mechanism, pin, body)?),
+            ForceOf::ReactionPart(part, pin, body, towards) => {
+                let line = match towards {
+                    Towards::Point(other) => posed.place(other) - posed.place(pin),
+                    Towards::Guide(slider) => posed.guide(slider).quarter_turn(),
+                };
+                let line = if part == LinePart::Along { line } else { line.quarter_turn() };
+                Number(forces.at_pin(mechanism, pin, body)?.dot(line) / line.dot(line).sqrt())
+            }
+            ForceOf::Normal(slider) => Number(forces.normal(mechanism, slider, posed.guide(slider))),
+            ForceOf::Couple(slider) => Number(forces.couple(mechanism, slider)),
+            ForceOf::Offset(slider) => {
+                Number(forces.couple(mechanism, slider) / forces.normal(mechanism, slider, posed.guide(slider)))
+            }
+            ForceOf::Torque(link) => Number(forces.torque(link)),
+            ForceOf::Push(slider) => Number(forces.push(mechanism, slider, posed.guide(slider))),
+            ForceOf::InertiaForce(link) => Vector(inertia(link)?.force),
+            ForceOf::InertiaCouple(link) => Number(inertia(link)?.couple),
+            ForceOf::CenterAcceleration(link) => Vector(posed.acceleration(link, center(mechanism, posed, link)?)),
+            ForceOf::LoadMoment(ref of, _) => {
+                let load = load(of)?;
+                Number((load.at - about?).cross(load.force) + load.couple)
+            }
+            ForceOf::Power(ref of) => {
+                let load = load(of)?;
+                let (velocity, omega) = posed.rates(load.body, load.at);
+                Number(load.force.dot(velocity) + load.couple * omega)
+            }
+            ForceOf::Shaking => Vector(forces.frame.force),
+            ForceOf::ShakingMoment(_) => Number(forces.frame_moment(mechanism, posed, about?)),
         })
     }
 }
 
-impl QuantityRequest {
+impl<S: State> Reader<'_, S> {
     /// The value of a force.
-    pub(super) fn force(
-        &self,
-        of: ForceOf,
-        mechanism: &Mechanism,
-        state: &impl State,
-    ) -> Result<Quantity, QuantityError> {
-        let find = || in_equilibrium(mechanism, &Here { mechanism, state }).map(Box::new);
-        let read = |forces: &Forces<f64>| of.read(mechanism, forces, |slider| state.guide(slider).into());
-        let found = match state.kept_forces() {
+    pub(super) fn force(&self, of: &ForceOf, mechanism: &Mechanism) -> Result<Quantity, QuantityError> {
+        let here = Here { mechanism, state: self.state };
+        let about = of.about().map(|spot| self.place(spot)).transpose()?.map(|(_, place)| place.coords.into());
+        let find = || in_equilibrium(mechanism, &here).map(Box::new);
+        let read = |forces: &Forces<f64>| of.read(mechanism, forces, &here, about);
+        let found = match self.state.kept_forces() {
             Some(KeptForces(kept)) => kept.get_or_init(find).as_deref().and_then(read),
             None => find().as_deref().and_then(read),
         };
-        match found.ok_or_else(|| self.none(says::no_forces()))? {
-            ForceRead::Number(number) => Ok(Quantity::Number(number)),
+        match found.ok_or_else(|| self.asked.none(says::no_forces()))? {
+            ForceRead::Number(number) if number.is_finite() => Ok(Quantity::Number(number)),
+            ForceRead::Number(_) => Err(self.asked.none(says::no_normal_force())),
             ForceRead::Vector(Pair { x, y }) => Ok(Quantity::Vector(Vector::new(x, y))),
         }
     }
@@ -93,6 +122,12 @@ impl<S: State> Posed<f64> for Here<'_, S> {
     fn acceleration(&self, body: BodyId, place: Pair<f64>) -> Pair<f64> {
         let [_, acceleration] = self.state.motion_at(body, Point::new(place.x, place.y));
         acceleration.into()
+    }
+
+    fn rates(&self, body: BodyId, place: Pair<f64>) -> (Pair<f64>, f64) {
+        let [velocity, _] = self.state.motion_at(body, Point::new(place.x, place.y));
+        let [omega, _] = self.state.angular_rates(body);
+        (velocity.into(), omega)
     }
 
     fn alpha(&self, body: BodyId) -> f64 {

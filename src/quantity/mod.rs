@@ -11,6 +11,7 @@
 //! replaced by a mistaken one.
 
 mod band;
+mod force_name;
 mod force_reading;
 mod forces;
 mod name;
@@ -24,11 +25,12 @@ mod value;
 pub use crate::scene::{Component, Head, QuantityName};
 pub use crate::sheet::QuantityKind;
 pub use band::{Band, Pencil, pencil, step_pencil};
+pub use force_name::{ForceOf, LinePart, LoadOf, Towards};
 pub(crate) use forces::ForceRead;
 pub use forces::KeptForces;
 pub use name::{
-    AccelerationPart, ForceOf, Pole, PoleOf, QuantityError, QuantityRequest, Spot, What, measured_names,
-    readable_names, step_names,
+    AccelerationPart, Pole, PoleOf, QuantityError, QuantityRequest, Spot, What, measured_names, readable_names,
+    step_names,
 };
 pub use reading::{Reading, Sense, Unread, read_by_hand};
 pub use value::{Quantity, Snapshot, State};

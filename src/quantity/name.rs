@@ -1,5 +1,6 @@
 //! Names of quantities, and the quantities they name.
 
+use super::force_name::ForceOf;
 use super::says;
 use crate::Problem;
 use crate::centers::{LinkPair, Permanent};
@@ -49,6 +50,8 @@ pub enum Part {
     Point,
     /// A point of a plan.
     PlanPoint,
+    /// A load.
+    Load,
 }
 
 impl QuantityError {
@@ -63,6 +66,7 @@ impl QuantityError {
                     Part::Slider => says::no_slider(quantity, name),
                     Part::Point => says::no_point(quantity, name),
                     Part::PlanPoint => says::no_plan_point(quantity, name),
+                    Part::Load => says::no_load(quantity, name),
                 };
                 match nearest {
                     Some(near) => says::did_you_mean(message, near).into(),
@@ -125,22 +129,6 @@ pub enum What {
     PathRadius(Spot),
     /// What a joint carries or a drive needs, in this mechanism.
     Force(ForceOf, Arc<Mechanism>),
-}
-
-/// A force or a moment.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ForceOf {
-    /// The force on a body at a pin.
-    Reaction(PointId, BodyId),
-    /// The force on a sliding link across its guide.
-    Normal(SliderId),
-    /// The couple on a sliding link from its guide.
-    Couple(SliderId),
-    /// The torque of a link's drive.
-    Torque(BodyId),
-    /// The force of a slider's drive along its guide.
-    Push(SliderId),
 }
 
 /// A pole of the motion: a point that the motion of links makes, and no joint has to.
@@ -251,13 +239,13 @@ pub(super) fn unknown<'n>(
 }
 
 /// Looks up the parts of a quantity's name in a mechanism.
-struct Finder<'a> {
-    name: &'a str,
-    mechanism: &'a Mechanism,
+pub(super) struct Finder<'a> {
+    pub name: &'a str,
+    pub mechanism: &'a Mechanism,
 }
 
 impl Finder<'_> {
-    fn form(&self) -> QuantityError {
+    pub(super) fn form(&self) -> QuantityError {
         QuantityError::Form(shown(self.name))
     }
 
@@ -306,46 +294,25 @@ impl Finder<'_> {
                 What::InflectionDiameter(self.pole(self.name, Head::InflectionPole, arguments)?)
             }
             Head::PathRadius => What::PathRadius(self.spot(first)?),
-            Head::Reaction | Head::GuideForce | Head::GuideCouple | Head::Torque | Head::Push => {
-                What::Force(self.force(*head, first, second)?, Arc::new(self.mechanism.clone()))
-            }
+            Head::Reaction
+            | Head::ReactionAlong
+            | Head::ReactionAcross
+            | Head::GuideForce
+            | Head::GuideCouple
+            | Head::GuideOffset
+            | Head::Torque
+            | Head::Push
+            | Head::InertiaForce
+            | Head::InertiaCouple
+            | Head::CenterAcceleration
+            | Head::LoadMoment
+            | Head::Power
+            | Head::Shaking
+            | Head::ShakingMoment => What::Force(self.force(*head, first, second)?, Arc::new(self.mechanism.clone())),
         })
     }
 
-    /// The force of a name, in a mechanism with loads.
-    fn force(&self, head: Head, first: &str, second: Option<&str>) -> Result<ForceOf, QuantityError> {
-        let none = |why: Message| QuantityError::NoValue(shown(self.name), why);
-        let force = match head {
-            Head::Torque => ForceOf::Torque(self.link(first)?),
-            Head::GuideForce => ForceOf::Normal(self.slider(first)?),
-            Head::GuideCouple => ForceOf::Couple(self.slider(first)?),
-            Head::Push => ForceOf::Push(self.slider(first)?),
-            _ => {
-                let points = self.mechanism.points.iter().map(String::as_str);
-                let pin = self.mechanism.point(first).ok_or_else(|| unknown(self.name, Part::Point, first, points))?;
-                ForceOf::Reaction(pin, self.link(second.ok_or_else(|| self.form())?)?)
-            }
-        };
-        if self.mechanism.loads.is_none() {
-            return Err(none(says::no_loads()));
-        }
-        let is_there = match force {
-            ForceOf::Reaction(pin, link) => {
-                let mut joints = self.mechanism.joints.iter();
-                joints.any(|joint| joint.pin == Some(pin) && joint.bodies.contains(&link))
-            }
-            ForceOf::Torque(link) => matches!(self.mechanism.body(link).role, Role::Driver { .. }),
-            ForceOf::Push(slider) => self.mechanism.slider(slider).drive.is_some(),
-            ForceOf::Normal(_) | ForceOf::Couple(_) => true,
-        };
-        match (is_there, force) {
-            (true, _) => Ok(force),
-            (false, ForceOf::Reaction(..)) => Err(none(says::not_at_pin())),
-            (false, _) => Err(none(says::not_driven())),
-        }
-    }
-
-    fn link(&self, name: &str) -> Result<BodyId, QuantityError> {
+    pub(super) fn link(&self, name: &str) -> Result<BodyId, QuantityError> {
         let links = || self.mechanism.links().map(|(_, b)| b.name.as_str());
         let found = self.mechanism.link(name);
         found.ok_or_else(|| unknown(self.name, Part::Link, name, links()))
@@ -381,7 +348,7 @@ impl Finder<'_> {
         }
     }
 
-    fn slider(&self, name: &str) -> Result<SliderId, QuantityError> {
+    pub(super) fn slider(&self, name: &str) -> Result<SliderId, QuantityError> {
         self.mechanism.slider_named(name).ok_or_else(|| {
             let names: Vec<String> = self.mechanism.slider_ids().map(|id| self.mechanism.slider_name(id)).collect();
             unknown(self.name, Part::Slider, name, names.iter().map(String::as_str))
@@ -395,7 +362,7 @@ impl Finder<'_> {
     }
 
     /// The place of a name: a joint, a special point, or, as `D_2`, the point of link 2 that coincides with D.
-    fn spot(&self, name: &str) -> Result<Spot, QuantityError> {
+    pub(super) fn spot(&self, name: &str) -> Result<Spot, QuantityError> {
         if self.special().any(|(special, _)| special == name) {
             return Ok(Spot::Special(name.to_owned()));
         }

@@ -158,7 +158,7 @@ impl Reader<'_> {
             What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
             What::Length(a, b) => return self.length(name, a, b),
             What::Pole(pole) => return self.center(asked, pole),
-            What::Force(of, _) => return self.force(asked, *of),
+            What::Force(of, _) => return self.force(asked, of),
             What::InflectionDiameter(_) | What::PathRadius(_) => {
                 return Err(Unread::NotDrawn);
             }

@@ -7,6 +7,7 @@ messages! { "quantity":
     no_link(quantity, name);
     no_slider(quantity, name);
     no_point(quantity, name);
+    no_load(quantity, name);
     no_plan_point(quantity, name);
     did_you_mean(message, name);
     no_value(quantity, why);
@@ -28,6 +29,10 @@ messages! { "quantity":
     path_is_straight;
     place_has_no_size(name);
     no_loads;
+    no_mass;
+    no_inertia;
+    no_line_of_joints;
+    no_normal_force;
     not_driven;
     not_at_pin;
     no_forces;

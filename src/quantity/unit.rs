@@ -1,4 +1,5 @@
-use super::name::{AccelerationPart, ForceOf, Pole, PoleOf, QuantityRequest, Spot, What};
+use super::force_name::{ForceOf, LinePart, LoadOf};
+use super::name::{AccelerationPart, Pole, PoleOf, QuantityRequest, Spot, What};
 use crate::construction::{Construction, Rate};
 use crate::mechanism::Mechanism;
 use crate::scene::Component;
@@ -28,7 +29,7 @@ impl QuantityRequest {
 
     pub(super) fn is_of_vectors(&self) -> bool {
         matches!(self.what, What::Coriolis(..) | What::Motion(..) | What::Part(..) | What::Pole(_))
-            || matches!(self.what, What::Force(ForceOf::Reaction(..), _))
+            || matches!(&self.what, What::Force(of, _) if of.is_vector())
     }
 
     /// Whether it is a place: a vector without a size.
@@ -52,6 +53,7 @@ impl QuantityRequest {
             What::Coordinate(_, spot) | What::PathRadius(spot) => special(spot),
             What::Length(a, b) | What::Part(_, a, b, _) => special(a) || special(b),
             What::Motion(_, a, b) => special(a) || b.as_ref().is_some_and(special),
+            What::Force(of, _) => of.about().is_some_and(special),
             _ => false,
         }
     }
@@ -111,7 +113,13 @@ impl QuantityRequest {
     /// Whether it is a length on its sheet; rates are computed from lengths.
     #[must_use]
     pub fn is_length_on_sheet(&self) -> bool {
-        !self.turns() && !self.is_rate() && self.kind() != QuantityKind::Moment
+        !self.turns() && !self.is_rate() && !self.is_computed()
+    }
+
+    /// Whether it follows from what is measured on several sheets.
+    fn is_computed(&self) -> bool {
+        let is_offset = matches!(&self.what, What::Force(ForceOf::Offset(_), _));
+        is_offset || matches!(self.kind(), QuantityKind::Moment | QuantityKind::Power)
     }
 
     /// Whether it is the distance of two places: a length of the scheme, or a segment of a plan.
@@ -189,15 +197,32 @@ impl QuantityRequest {
                 Symbol { after: format!("({})", link(pole.of.link())), ..plain("d", "i".to_owned()) }
             }
             What::PathRadius(spot) => plain("ρ", shown(spot.name())),
-            What::Force(of, _) => match *of {
-                ForceOf::Reaction(pin, body) => {
-                    plain("R", format!("{},{}", shown(mechanism.point_name(pin)), link(body)))
+            What::Force(of, _) => {
+                let at_pin = |pin, body| plain("R", format!("{},{}", shown(mechanism.point_name(pin)), link(body)));
+                let load = |of: &LoadOf| shown(&of.name(mechanism));
+                match of {
+                    ForceOf::Reaction(pin, body) => at_pin(*pin, *body),
+                    ForceOf::ReactionPart(part, pin, body, _) => {
+                        let upper = match part {
+                            LinePart::Along => notation.normal,
+                            LinePart::Across => notation.tangential,
+                        };
+                        Symbol { upper, ..at_pin(*pin, *body) }
+                    }
+                    ForceOf::Normal(id) => plain("N", names(*id).pair),
+                    ForceOf::Couple(id) => plain("M", names(*id).pair),
+                    ForceOf::Offset(id) => plain("h", names(*id).pair),
+                    ForceOf::Torque(id) => plain("T", link(*id)),
+                    ForceOf::Push(id) => plain("F", names(*id).pair),
+                    ForceOf::InertiaForce(id) => plain("F", format!("i{}", link(*id))),
+                    ForceOf::InertiaCouple(id) => plain("M", format!("i{}", link(*id))),
+                    ForceOf::CenterAcceleration(id) => plain("a", format!("cm{}", link(*id))),
+                    ForceOf::LoadMoment(of, about) => plain("M", format!("{},{}", load(of), shown(about.name()))),
+                    ForceOf::Power(of) => plain("P", load(of)),
+                    ForceOf::Shaking => plain("F", "s".to_owned()),
+                    ForceOf::ShakingMoment(about) => plain("M", format!("s,{}", shown(about.name()))),
                 }
-                ForceOf::Normal(id) => plain("N", names(id).pair),
-                ForceOf::Couple(id) => plain("M", names(id).pair),
-                ForceOf::Torque(id) => plain("T", link(id)),
-                ForceOf::Push(id) => plain("F", names(id).pair),
-            },
+            }
             What::Motion(order, a, b) => relative(order.vector(), "", a.name(), b.as_ref().map(|b| b.name())),
             What::Part(part, a, b, _) => {
                 let part = match part {

@@ -101,7 +101,7 @@ impl QuantityRequest {
                 let (body, place) = reader.place(spot)?;
                 Number(self.path_radius(body, place, state)?)
             }
-            What::Force(of, mechanism) => self.force(*of, mechanism, state)?,
+            What::Force(of, mechanism) => reader.force(of, mechanism)?,
             What::Segment(order, ends) if self.written.component.is_some() => Vector(reader.segment(*order, ends)?),
             What::Segment(order, ends) if !self.written.on_paper => Number(reader.segment(*order, ends)?.norm()),
             What::Segment(order, ends) => {
@@ -128,9 +128,9 @@ impl QuantityRequest {
 }
 
 /// Evaluates a quantity in a position.
-struct Reader<'a, S: State> {
-    asked: &'a QuantityRequest,
-    state: &'a S,
+pub(super) struct Reader<'a, S: State> {
+    pub asked: &'a QuantityRequest,
+    pub state: &'a S,
     construction: Option<&'a Construction>,
 }
 
@@ -144,7 +144,7 @@ impl<S: State> Reader<'_, S> {
     }
 
     /// The body to which a named place belongs, and its coordinates.
-    fn place(&self, spot: &Spot) -> Result<(BodyId, Point), QuantityError> {
+    pub(super) fn place(&self, spot: &Spot) -> Result<(BodyId, Point), QuantityError> {
         match spot {
             Spot::Point(body, point, _) => Ok((*body, self.state.place(*point))),
             Spot::Special(name) => {

@@ -69,6 +69,26 @@ pub enum Head {
     Torque,
     /// The force of a slider's drive.
     Push,
+    /// The part of the force on a link at a pin along the line of the link's two joints.
+    ReactionAlong,
+    /// The part across that line.
+    ReactionAcross,
+    /// How far from the slider's point the line of its guide's force runs.
+    GuideOffset,
+    /// The inertia force of a link.
+    InertiaForce,
+    /// The inertia couple of a link.
+    InertiaCouple,
+    /// The acceleration of a link's centre of mass.
+    CenterAcceleration,
+    /// The moment of a load about a point.
+    LoadMoment,
+    /// The power of a load.
+    Power,
+    /// The shaking force: what the links do to the frame.
+    Shaking,
+    /// The moment of that about a point.
+    ShakingMoment,
 }
 
 /// What stands between a name's parentheses.
@@ -80,6 +100,10 @@ pub enum Argument {
     Slider,
     /// A point, of the scheme or of a plan.
     Point,
+    /// A load, as a force's name, `weight(2)`, `inertia(2)`, or a spring's name with its link in parentheses.
+    Load,
+    /// None: the name has no parentheses.
+    Nothing,
 }
 
 /// A number of a vector.
@@ -103,7 +127,7 @@ impl Component {
 
 impl Head {
     /// The heads that are not the distance of two points: the word for each, what its arguments are, and the kind of its value.
-    const KNOWN: [(Head, &'static str, Argument, QuantityKind); 23] = [
+    const KNOWN: [(Head, &'static str, Argument, QuantityKind); 33] = [
         (Head::Omega, "omega", Argument::Link, QuantityKind::AngularVelocity),
         (Head::Alpha, "alpha", Argument::Link, QuantityKind::AngularAcceleration),
         (Head::Angle, "angle", Argument::Link, QuantityKind::Angle),
@@ -127,11 +151,24 @@ impl Head {
         (Head::GuideCouple, "M", Argument::Slider, QuantityKind::Moment),
         (Head::Torque, "T", Argument::Link, QuantityKind::Moment),
         (Head::Push, "F", Argument::Slider, QuantityKind::Force),
+        (Head::ReactionAlong, "R_n", Argument::Point, QuantityKind::Force),
+        (Head::ReactionAcross, "R_t", Argument::Point, QuantityKind::Force),
+        (Head::GuideOffset, "h", Argument::Slider, QuantityKind::Position),
+        (Head::InertiaForce, "F_i", Argument::Link, QuantityKind::Force),
+        (Head::InertiaCouple, "M_i", Argument::Link, QuantityKind::Moment),
+        (Head::CenterAcceleration, "a_cm", Argument::Link, QuantityKind::Acceleration),
+        (Head::LoadMoment, "moment", Argument::Load, QuantityKind::Moment),
+        (Head::Power, "power", Argument::Load, QuantityKind::Power),
+        (Head::Shaking, "shaking", Argument::Nothing, QuantityKind::Force),
+        (Head::ShakingMoment, "shaking", Argument::Point, QuantityKind::Moment),
     ];
 
-    fn of(word: &str) -> Option<Head> {
+    /// The head of a word that has arguments behind it, or none.
+    fn of(word: &str, has_arguments: bool) -> Option<Head> {
         let between = || Sheet::ALL.into_iter().find(|sheet| sheet.facts().segment == word).map(Head::Between);
-        Head::KNOWN.into_iter().find(|(_, own, ..)| *own == word).map(|(head, ..)| head).or_else(between)
+        let is_it = |own: &str, argument| own == word && (argument != Argument::Nothing) == has_arguments;
+        let known = Head::KNOWN.into_iter().find(|(_, own, argument, _)| is_it(own, *argument));
+        known.map(|(head, ..)| head).or_else(|| between().filter(|_| has_arguments))
     }
 
     /// The word for it, what its arguments are, and the kind of its value.
@@ -153,7 +190,8 @@ impl Head {
     #[must_use]
     pub fn argument(self, index: usize) -> Argument {
         match (self, index) {
-            (Head::Reaction, 1) => Argument::Link,
+            (Head::Reaction | Head::ReactionAlong | Head::ReactionAcross, 1) => Argument::Link,
+            (Head::LoadMoment, 1) => Argument::Point,
             _ => self.facts().1,
         }
     }
@@ -168,15 +206,20 @@ impl Head {
     fn separator(self) -> Option<&'static str> {
         match self {
             Head::Velocity | Head::Acceleration | Head::Normal | Head::Tangential => Some("/"),
-            Head::Between(_) | Head::Center | Head::Reaction => Some(","),
+            Head::Between(_)
+            | Head::Center
+            | Head::Reaction
+            | Head::ReactionAlong
+            | Head::ReactionAcross
+            | Head::LoadMoment => Some(","),
             _ => None,
         }
     }
 
     /// Its arguments, from what stands between a name's parentheses; `None` where a second point is missing.
     fn split(self, inner: &str) -> Option<Vec<&str>> {
-        let needs_two =
-            matches!(self, Head::Normal | Head::Tangential | Head::Between(_) | Head::Center | Head::Reaction);
+        // A velocity and an acceleration have a second point or not.
+        let needs_two = self.separator().is_some() && !matches!(self, Head::Velocity | Head::Acceleration);
         match self.separator().and_then(|by| split_outside(inner, by)) {
             Some((first, second)) => Some(vec![first, second]),
             None => (!needs_two).then(|| vec![inner]),
@@ -196,15 +239,25 @@ impl QuantityName {
     #[must_use]
     pub fn parse(name: &str) -> Option<QuantityName> {
         let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
-        let (head, rest) = compact.split_once('(')?;
-        let (inner, tail) = rest.rsplit_once(')')?;
-        let head = Head::of(head)?;
+        let (head, inner, tail) = match compact.split_once('(') {
+            Some((word, rest)) => {
+                let (inner, tail) = rest.rsplit_once(')')?;
+                (Head::of(word, true)?, Some(inner), tail)
+            }
+            None => {
+                let (word, tail) = compact.split_at(compact.find('.').unwrap_or(compact.len()));
+                (Head::of(word, false)?, None, tail)
+            }
+        };
         let (component, on_paper) = match tail {
             "" => (None, false),
             "/mu" if matches!(head, Head::Between(_)) => (None, true),
             _ => (Some(Component::TAILS.into_iter().find(|(_, own)| *own == tail)?.0), false),
         };
-        let arguments = head.split(inner)?.into_iter().map(str::to_owned).collect();
+        let arguments = match inner {
+            Some(inner) => head.split(inner)?.into_iter().map(str::to_owned).collect(),
+            None => Vec::new(),
+        };
         Some(QuantityName { head, arguments, component, on_paper })
     }
 
@@ -230,7 +283,11 @@ impl QuantityName {
     #[must_use]
     pub fn needs_accelerations(&self) -> bool {
         let is_of_accelerations = match self.head {
-            Head::InflectionPole | Head::InflectionDiameter | Head::AccelerationPole | Head::PathRadius => true,
+            Head::InflectionPole
+            | Head::InflectionDiameter
+            | Head::AccelerationPole
+            | Head::PathRadius
+            | Head::GuideOffset => true,
             // Forces hang on inertia.
             _ => matches!(
                 self.head.kind(),
@@ -238,6 +295,7 @@ impl QuantityName {
                     | QuantityKind::AngularAcceleration
                     | QuantityKind::Force
                     | QuantityKind::Moment
+                    | QuantityKind::Power
             ),
         };
         is_of_accelerations
@@ -309,7 +367,10 @@ impl QuantityName {
 
 impl fmt::Display for QuantityName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}({}){}", self.head.word(), self.subject(), self.tail())
+        match self.head.argument(0) {
+            Argument::Nothing => write!(f, "{}{}", self.head.word(), self.tail()),
+            _ => write!(f, "{}({}){}", self.head.word(), self.subject(), self.tail()),
+        }
     }
 }
 
@@ -328,6 +389,7 @@ impl QuantityKind {
             QuantityKind::Acceleration => format!("{length}/{time}²"),
             QuantityKind::Force => force.to_owned(),
             QuantityKind::Moment => format!("{force} {length}"),
+            QuantityKind::Power => format!("{force} {length}/{time}"),
         }
     }
 

@@ -214,6 +214,7 @@ velocity = Geschwindigkeit
 acceleration = Beschleunigung
 force = Kraft
 moment = Moment
+power = Leistung
 in_unit = {$kind} in {$unit}
 drive_angle = Antriebswinkel {$symbol} in °
 drive_position = Position des Antriebs {$drive} in {$unit}
@@ -1111,10 +1112,11 @@ accuracy-at_change = Verzweigungslage bei {$place}: Glieder {$links} könnten au
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` ist keine Größe; bekannte Formen: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D); Vektoren auch mit .x .y .size .angle, Strecken der Pläne mit /mu
+quantity-no_quantity = `{$name}` ist keine Größe; bekannte Formen: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D) R(B,2) R_n(B,2) R_t(B,2) N(3/2) M(3/2) h(3/2) T(1) F(3/2) F_i(2) M_i(2) a_cm(2) moment(F1,S3) power(F1) shaking shaking(A); Vektoren auch mit .x .y .size .angle, Strecken der Pläne mit /mu
 quantity-no_link = `{$quantity}`: es gibt hier kein Glied `{$name}`
 quantity-no_slider = `{$quantity}`: es gibt hier keinen Schieber `{$name}`
 quantity-no_point = `{$quantity}`: es gibt hier keinen Punkt `{$name}`
+quantity-no_load = `{$quantity}`: hier gibt es keine Last `{$name}`
 quantity-no_plan_point = `{$quantity}`: es gibt hier keinen Planpunkt `{$name}`
 quantity-did_you_mean = {$message}; meinten Sie `{$name}`?
 quantity-no_value = `{$quantity}` hat hier keinen Wert: {$why}
@@ -1136,6 +1138,10 @@ quantity-link_turns_not = das Glied dreht sich nicht
 quantity-path_is_straight = die Bahn ist dort gerade, oder der Punkt ruht
 quantity-place_has_no_size = `{$name}` ist ein Ort und hat keinen Betrag; fragen Sie nach `.x` oder `.y`
 quantity-no_loads = die Szene hat keine Massen, Kräfte oder Federn
+quantity-no_mass = dieses Glied hat keine Masse
+quantity-no_inertia = die Trägheit bleibt außer Betracht: `"analysis": "static"`
+quantity-no_line_of_joints = dieses Glied hat dort nicht zwei Gelenke, deren Linie gemeint wäre
+quantity-no_normal_force = quer zur Führung wirkt keine Kraft
 quantity-not_driven = es ist nicht angetrieben
 quantity-not_at_pin = dieses Glied hat kein Gelenk an diesem Bolzen
 quantity-no_forces = seine Lasten liegen außerhalb des Zahlenbereichs, oder die Stellung ist singulär
@@ -1298,6 +1304,7 @@ check-velocity = eine Geschwindigkeit
 check-acceleration = eine Beschleunigung
 check-force = eine Kraft
 check-moment = ein Moment
+check-power = eine Leistung
 
 # Tables.
 

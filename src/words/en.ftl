@@ -231,6 +231,7 @@ velocity = Velocity
 acceleration = Acceleration
 force = Force
 moment = Moment
+power = Power
 in_unit = {$kind} in {$unit}
 drive_angle = Angle {$symbol} of the drive in °
 drive_position = Position of drive {$drive} in {$unit}
@@ -1144,10 +1145,11 @@ accuracy-at_change = change point at {$place}: links {$links} could go on in ano
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` is no quantity; known forms: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D); vectors also with .x .y .size .angle, plan segments with /mu
+quantity-no_quantity = `{$name}` is no quantity; known forms: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D) R(B,2) R_n(B,2) R_t(B,2) N(3/2) M(3/2) h(3/2) T(1) F(3/2) F_i(2) M_i(2) a_cm(2) moment(F1,S3) power(F1) shaking shaking(A); vectors also with .x .y .size .angle, plan segments with /mu
 quantity-no_link = `{$quantity}`: there is no link `{$name}` here
 quantity-no_slider = `{$quantity}`: there is no slider `{$name}` here
 quantity-no_point = `{$quantity}`: there is no point `{$name}` here
+quantity-no_load = `{$quantity}`: there is no load `{$name}` here
 quantity-no_plan_point = `{$quantity}`: there is no plan point `{$name}` here
 quantity-did_you_mean = {$message}; did you mean `{$name}`?
 quantity-no_value = `{$quantity}` has no value here: {$why}
@@ -1169,6 +1171,10 @@ quantity-link_turns_not = the link does not turn
 quantity-path_is_straight = the path is straight there, or the point is at rest
 quantity-place_has_no_size = `{$name}` is a place, which has no size; ask for its `.x` or `.y`
 quantity-no_loads = the scene has no masses, forces or springs
+quantity-no_mass = that link has no mass
+quantity-no_inertia = inertia is left out: `"analysis": "static"`
+quantity-no_line_of_joints = that link has not two joints there, whose line would be meant
+quantity-no_normal_force = no force across the guide
 quantity-not_driven = it is not driven
 quantity-not_at_pin = that link has no joint at that pin
 quantity-no_forces = its loads leave the range of numbers, or the position is singular
@@ -1331,6 +1337,7 @@ check-velocity = a velocity
 check-acceleration = an acceleration
 check-force = a force
 check-moment = a moment
+check-power = a power
 
 # Tables.
 

@@ -212,6 +212,7 @@ velocity = Velocidad
 acceleration = Aceleración
 force = Fuerza
 moment = Momento
+power = Potencia
 in_unit = {$kind} en {$unit}
 drive_angle = Ángulo {$symbol} del accionamiento en °
 drive_position = Posición del accionamiento {$drive} en {$unit}
@@ -1109,10 +1110,11 @@ accuracy-at_change = punto de cambio en {$place}: los eslabones {$links} podría
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` no es una magnitud; formas conocidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D); los vectores también con .x .y .size .angle, los segmentos de los planos con /mu
+quantity-no_quantity = `{$name}` no es una magnitud; formas conocidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D) R(B,2) R_n(B,2) R_t(B,2) N(3/2) M(3/2) h(3/2) T(1) F(3/2) F_i(2) M_i(2) a_cm(2) moment(F1,S3) power(F1) shaking shaking(A); los vectores también con .x .y .size .angle, los segmentos de los planos con /mu
 quantity-no_link = `{$quantity}`: no existe aquí el eslabón `{$name}`
 quantity-no_slider = `{$quantity}`: no existe aquí la corredera `{$name}`
 quantity-no_point = `{$quantity}`: no existe aquí el punto `{$name}`
+quantity-no_load = `{$quantity}`: aquí no hay ninguna carga `{$name}`
 quantity-no_plan_point = `{$quantity}`: no existe aquí el punto `{$name}` del plano
 quantity-did_you_mean = {$message}; ¿quiso decir `{$name}`?
 quantity-no_value = `{$quantity}` no tiene valor aquí: {$why}
@@ -1134,6 +1136,10 @@ quantity-link_turns_not = el eslabón no gira
 quantity-path_is_straight = la trayectoria es recta ahí, o el punto está en reposo
 quantity-place_has_no_size = `{$name}` es un lugar y no tiene módulo; pida su `.x` o su `.y`
 quantity-no_loads = la escena no tiene masas, fuerzas ni resortes
+quantity-no_mass = ese eslabón no tiene masa
+quantity-no_inertia = la inercia no se tiene en cuenta: `"analysis": "static"`
+quantity-no_line_of_joints = ese eslabón no tiene allí dos pares cuya línea se pudiera entender
+quantity-no_normal_force = no hay fuerza transversal a la guía
 quantity-not_driven = no está accionado
 quantity-not_at_pin = ese eslabón no tiene articulación en ese perno
 quantity-no_forces = sus cargas salen del rango de los números, o la posición es singular
@@ -1296,6 +1302,7 @@ check-velocity = velocidad
 check-acceleration = aceleración
 check-force = una fuerza
 check-moment = un momento
+check-power = una potencia
 
 # Tables.
 

@@ -214,6 +214,7 @@ velocity = Velocidade
 acceleration = Aceleração
 force = Força
 moment = Momento
+power = Potência
 in_unit = {$kind} em {$unit}
 drive_angle = Ângulo {$symbol} do acionamento em °
 drive_position = Posição do acionamento {$drive} em {$unit}
@@ -1111,10 +1112,11 @@ accuracy-at_change = ponto de mudança em {$place}: os elos {$links} também pod
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` não é uma grandeza; formas conhecidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D); vetores também com .x .y .size .angle, segmentos dos polígonos com /mu
+quantity-no_quantity = `{$name}` não é uma grandeza; formas conhecidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D) R(B,2) R_n(B,2) R_t(B,2) N(3/2) M(3/2) h(3/2) T(1) F(3/2) F_i(2) M_i(2) a_cm(2) moment(F1,S3) power(F1) shaking shaking(A); vetores também com .x .y .size .angle, segmentos dos polígonos com /mu
 quantity-no_link = `{$quantity}`: não existe aqui o elo `{$name}`
 quantity-no_slider = `{$quantity}`: não existe aqui o cursor `{$name}`
 quantity-no_point = `{$quantity}`: não existe aqui o ponto `{$name}`
+quantity-no_load = `{$quantity}`: aqui não há nenhuma carga `{$name}`
 quantity-no_plan_point = `{$quantity}`: não existe aqui o ponto `{$name}` do polígono
 quantity-did_you_mean = {$message}; você quis dizer `{$name}`?
 quantity-no_value = `{$quantity}` não tem valor aqui: {$why}
@@ -1136,6 +1138,10 @@ quantity-link_turns_not = o elo não gira
 quantity-path_is_straight = a trajetória é reta ali, ou o ponto está em repouso
 quantity-place_has_no_size = `{$name}` é um lugar e não tem módulo; peça o seu `.x` ou `.y`
 quantity-no_loads = a cena não tem massas, forças nem molas
+quantity-no_mass = essa barra não tem massa
+quantity-no_inertia = a inércia não é considerada: `"analysis": "static"`
+quantity-no_line_of_joints = essa barra não tem ali duas juntas cuja linha se pudesse entender
+quantity-no_normal_force = não há força transversal à guia
 quantity-not_driven = não é acionado
 quantity-not_at_pin = esse elo não tem junta nesse pino
 quantity-no_forces = as suas cargas saem do domínio dos números, ou a posição é singular
@@ -1298,6 +1304,7 @@ check-velocity = velocidade
 check-acceleration = aceleração
 check-force = uma força
 check-moment = um momento
+check-power = uma potência
 
 # Tables.
 

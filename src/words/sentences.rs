@@ -262,6 +262,7 @@ sentences! {
     acceleration;
     force;
     moment;
+    power;
     in_unit(kind, unit);
     drive_angle(symbol);
     drive_position(drive, unit);

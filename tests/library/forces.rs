@@ -26,7 +26,7 @@ fn forces(scene: &Value) -> Value {
     result(&solution)["forces"].clone()
 }
 
-fn cases() -> Vec<Value> {
+pub fn cases() -> Vec<Value> {
     let text = std::fs::read_to_string(files::path("tests/forces/forces.jsonl")).expect("the cases can be read");
     let cases: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).expect("a case is JSON")).collect();
     assert!(cases.len() >= 35, "only {}", cases.len());

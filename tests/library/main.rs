@@ -8,6 +8,7 @@
 //!   is hard on the way from a text's digits to them;
 //!   `paper_facts`, `published_numbers` and `worked` hold the paper and 20 textbook cases; `templates` holds every
 //!   starting scene to independent truth and its rates to finite differences.
+//!   `singular` asks that nothing is proved of mechanisms that are exactly singular.
 //! - Poles: `centers` holds instant centres, inflection poles and poles of accelerations to independent digits, of random mechanisms to 256 bits, and three
 //!   centres of three links to a line.
 //! - Lines to poles: `kennedy` holds instant centres by Kennedy's lines to independent digits and to the motion, and finds them for all chains of four, six and eight
@@ -18,6 +19,7 @@
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
 //!   `levers` turns slotted levers round.
 //! - Forces: `forces` holds what joints and drives carry to 35 cases of 60 digits, to virtual power, to energy over a turn and to momentum;
+//!   `named_forces` holds parts of reactions, arms, inertia, moments, powers and shaking forces to them, by their names;
 //!   `polygons` holds force plans to these cases, and of random groups to the equations of equilibrium, and sees their polygons close.
 //! - Drives: `driven_sliders` holds cylinders and telescopes to independent truth, from lengths and as drawn, and
 //!   their plans to closing; `driven_cycles` moves each of their drives; `cycle` holds paths to closed forms, random
@@ -96,6 +98,7 @@ mod levers;
 mod markers;
 mod marks;
 mod messages;
+mod named_forces;
 mod numbers;
 mod paper_facts;
 mod pencil;
@@ -112,6 +115,7 @@ mod pull;
 mod reference;
 mod scene_build;
 mod scene_read;
+mod singular;
 mod sizes;
 mod stage;
 mod step_names;

@@ -7,7 +7,6 @@ use crate::construction::operation::{Along, PlaceId};
 use crate::construction::step::Action;
 use crate::geometry::Point;
 use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
-use crate::scene::QuantityName;
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
 
@@ -126,6 +125,23 @@ fn pin_alone(mechanism: &Mechanism, joint: JointId, on: BodyId) -> Option<PointI
     (same.count() == 1 && !mechanism.body(on).is_nameless()).then_some(pin)
 }
 
+/// The body of a joint whose link has two joints in its group, along whose line a part acts: the other one where the force is that on a
+/// drag link of a group of class IV.
+fn two_jointed(mechanism: &Mechanism, joint: JointId, on: BodyId) -> BodyId {
+    let lead = mechanism.lead(on);
+    let Some(group) = mechanism.groups.iter().find(|group| group.links.contains(&lead)) else { return on };
+    let count = |body: BodyId| {
+        let links = mechanism.compound(mechanism.lead(body));
+        let holds = |joint: &&JointId| mechanism.joint(**joint).bodies.iter().any(|body| links.contains(body));
+        group.joints.iter().filter(holds).count()
+    };
+    let other = mechanism.joint(joint).bodies.into_iter().find(|body| *body != on);
+    match other.filter(|other| group.bodies.contains(other)) {
+        Some(other) if count(on) != 2 && count(other) == 2 => other,
+        _ => on,
+    }
+}
+
 fn whole_name(mechanism: &Mechanism, joint: JointId, on: BodyId) -> Option<Name> {
     if let Some(slider) = mechanism.joint(joint).slider {
         // What drives a slider has a part along its guide, too.
@@ -142,11 +158,11 @@ fn part_name(mechanism: &Mechanism, of: ForceOf) -> Option<String> {
         return whole_name(mechanism, joint, on).map(Name::of_size);
     }
     let letter = match part {
-        ForcePart::Normal => "R_n",
-        ForcePart::Tangential => "R_t",
+        ForcePart::Normal | ForcePart::AcrossGuide => "R_n",
+        ForcePart::Tangential | ForcePart::AlongGuide => "R_t",
         ForcePart::Whole => return whole_name(mechanism, joint, on).map(Name::of_size),
-        ForcePart::AlongGuide | ForcePart::AcrossGuide => return None,
     };
+    let on = two_jointed(mechanism, joint, on);
     let pin = pin_alone(mechanism, joint, on)?;
     Some(format!("{letter}({},{})", mechanism.point_name(pin), mechanism.body(on).name))
 }
@@ -184,7 +200,6 @@ impl Statics<'_, '_> {
             };
             names.extend(found.into_iter().map(|name| (step.clone(), name)));
         }
-        names.retain(|(_, name)| QuantityName::parse(name).is_some());
         self.plan.numbers.names = names;
     }
 

@@ -244,6 +244,7 @@ fn names(language: &Language, kind: QuantityKind) -> (&str, &'static str) {
         QuantityKind::Acceleration => (language.acceleration(), "acceleration"),
         QuantityKind::Force => (language.force(), "force"),
         QuantityKind::Moment => (language.moment(), "moment"),
+        QuantityKind::Power => (language.power(), "power"),
     }
 }
 

@@ -1,0 +1,247 @@
+//! Forces, moments and powers by their names, with their stated errors: held to independent truth (`tests/forces/README.md`), to sums that
+//! the scene's own numbers and that truth give, and to equilibrium of the frame.
+
+use super::forces::cases;
+use kinegon::quantity::QuantityName;
+use serde_json::{Value, json};
+use support::comparison::{decimal, entries};
+use support::exact::{Exact, exceeds};
+use support::stages::solved;
+
+/// Errors allowed, in parts of the largest number of its kind.
+const OFF: f64 = 1e-10;
+
+/// What the truth's own arithmetic leaves of nothing.
+const NOTHING: f64 = 1e-50;
+
+/// A name, and its true number.
+type Named = (String, Exact);
+
+fn true_number(json: &Value) -> Exact {
+    Exact::read(decimal(json))
+}
+
+/// All that the truth of a case tells by names.
+fn named(case: &Value) -> Vec<Named> {
+    let truth = &case["expected"];
+    let mut all: Vec<Named> = Vec::new();
+    for group in truth["groups"].as_array().into_iter().flatten() {
+        all.extend(entries(&group["parts"]).map(|(name, value)| (name.to_owned(), true_number(value))));
+    }
+    for (slider, carried) in entries(&truth["sliders"]) {
+        // A guide that carries nothing across has no such line.
+        if carried["h"].is_string() {
+            all.push((format!("h({slider})"), true_number(&carried["h"])));
+        }
+    }
+    let is_static = case["scene"]["analysis"] == "static";
+    for (link, inertia) in entries(&truth["inertia"]) {
+        for (index, axis) in ["x", "y"].into_iter().enumerate() {
+            all.push((format!("a_cm({link}).{axis}"), true_number(&inertia["a_center"][index])));
+            if !is_static {
+                all.push((format!("F_i({link}).{axis}"), true_number(&inertia["inertia_force"][index])));
+            }
+        }
+        if !is_static {
+            all.push((format!("M_i({link})"), true_number(&inertia["inertia_couple"])));
+        }
+    }
+    all
+}
+
+/// Powers of loads: those at rate 1 of each drive, times its rate.
+fn powers(case: &Value) -> Vec<Named> {
+    let rate = |drive: &str| {
+        let own = &case["scene"]["links"][drive]["drive"]["omega"];
+        let slider = || {
+            let sliders = case["scene"]["sliders"].as_array().into_iter().flatten();
+            let pushed = |slider: &&Value| format!("{}/{}", text(&slider["link"]), text(&slider["on"])) == drive;
+            sliders.filter(pushed).find_map(|slider| slider["drive"]["speed"].as_f64())
+        };
+        own.as_f64().or_else(slider)
+    };
+    let mut sums: Vec<Named> = Vec::new();
+    for (drive, found) in entries(&case["expected"]["drives"]) {
+        let Some(rate) = rate(drive) else { return Vec::new() };
+        for term in found["power_terms"].as_array().into_iter().flatten() {
+            let name = format!("power({})", text(&term[0]));
+            // What a scene lacks, as weight without gravity, has no power there, and no name here.
+            let Some(power) = (term[1] != "0").then(|| true_number(&term[1]) * Exact::from(rate)) else { continue };
+            match sums.iter_mut().find(|(own, _)| *own == name) {
+                Some((_, sum)) => *sum = *sum + power,
+                None => sums.push((name, power)),
+            }
+        }
+    }
+    sums
+}
+
+fn text(json: &Value) -> &str {
+    json.as_str().unwrap_or_default()
+}
+
+/// What a scene says of these names, with the stated errors.
+fn asked(case: &Value, names: &[Named]) -> Vec<(String, f64, f64, Exact)> {
+    let mut scene = case["scene"].clone();
+    scene["want"] = names.iter().map(|(name, _)| json!(name)).collect();
+    let solution = solved(&scene.to_string()).unwrap_or_else(|error| panic!("{}: {error}", case["id"]));
+    let whole = solution.whole_result().unwrap_or_else(|error| panic!("{}: {error}", case["id"]));
+    let whole = serde_json::to_value(whole).expect("a result is JSON");
+    let number = |key: &str, name: &str| {
+        let value = &whole[key][name];
+        value.as_f64().unwrap_or_else(|| panic!("{}: {key} of {name} is {value}", case["id"]))
+    };
+    let read =
+        |(name, truth): &Named| (name.clone(), number("quantities", name), number("quantity_errors", name), *truth);
+    names.iter().map(read).collect()
+}
+
+/// Each number is near the truth, in parts of the largest of its kind, and within its stated error of it.
+fn are_true(case: &Value, names: &[Named]) -> usize {
+    let head = |name: &str| name.split_once('(').map_or("", |(head, _)| head).trim_end_matches(['n', 't']).to_owned();
+    let found = asked(case, names);
+    for (name, value, error, truth) in &found {
+        let same = found.iter().filter(|(other, ..)| head(other) == head(name));
+        let size = same.fold(0.0_f64, |most, (.., truth)| most.max(truth.rounded().abs()));
+        let off = (*truth + -Exact::from(*value)).rounded().abs();
+        let id = &case["id"];
+        // Next to a singular position, and where a guide carries nearly nothing, numbers have few digits.
+        let is_hard = ["D05", "D07"].iter().any(|hard| text(id).starts_with(hard));
+        assert!(is_hard || !exceeds(off, OFF * size + NOTHING), "{id}: {name} is {value}, off by {off:e}");
+        let printed = 1e-28 * truth.rounded().abs() + NOTHING;
+        assert!(!exceeds(off, error + printed), "{id}: {name} {value} ± {error:e} is off by {off:e}");
+    }
+    found.len()
+}
+
+#[test]
+fn parts_arms_and_inertia_are_true() {
+    let mut seen = 0;
+    for case in cases() {
+        seen += are_true(&case, &named(&case));
+    }
+    assert!(seen > 300, "only {seen}");
+}
+
+#[test]
+fn powers_are_true() {
+    let seen: usize = cases().iter().map(|case| are_true(case, &powers(case))).sum();
+    assert!(seen > 120, "only {seen}");
+}
+
+/// The moment of a force about a point, from the numbers of drawn scenes as they stand there.
+#[test]
+fn moments_of_loads_are_true() {
+    let mut seen = 0;
+    for case in cases() {
+        let scene = &case["scene"];
+        let at_pair = |json: &Value| [0, 1].map(|axis| Some(Exact::read(json[axis].as_f64()?.to_string().as_str())));
+        let mut names = Vec::new();
+        for load in scene["forces"].as_array().into_iter().flatten() {
+            let Some(at) = load["at"].as_array().filter(|_| !scene["points"].is_null()) else { continue };
+            let [[Some(x), Some(y)], [Some(f), Some(g)]] = [&json!(at), &load["force"]].map(at_pair) else { continue };
+            for (point, place) in entries(&scene["points"]) {
+                let [Some(px), Some(py)] = at_pair(place) else { continue };
+                let moment = (x + -px) * g + -((y + -py) * f);
+                names.push((format!("moment({},{point})", text(&load["name"])), moment));
+            }
+        }
+        seen += are_true(&case, &names);
+    }
+    assert!(seen > 100, "only {seen}");
+}
+
+/// What the frame receives in all its pins is the shaking force, and their moments with the drive's reaction its moment.
+#[test]
+fn the_frame_is_shaken_by_its_joints() {
+    let mut seen = 0;
+    for case in cases() {
+        let (scene, truth) = (&case["scene"], &case["expected"]);
+        let has_sliders = scene["sliders"].as_array().is_some_and(|sliders| !sliders.is_empty());
+        let (true, Some(points)) = (!has_sliders && scene["ground"].is_array(), scene["points"].as_object()) else {
+            continue;
+        };
+        let place = |pin: &str| [0, 1].map(|axis| Exact::from(points[pin][axis].as_f64().expect("a coordinate")));
+        let pins = scene["ground"].as_array().expect("points of the ground").iter().map(text);
+        let pins: Vec<&str> = pins.filter(|pin| !truth["reactions"][pin]["ground"].is_null()).collect();
+        let about = pins[pins.len() - 1];
+        let nothing = Exact::from(0.0);
+        let [mut sum_x, mut sum_y, mut moment] = [nothing; 3];
+        for pin in &pins {
+            let force = &truth["reactions"][pin]["ground"];
+            let [f, g] = [0, 1].map(|axis| true_number(&force[axis]));
+            let ([x, y], [ax, ay]) = (place(pin), place(about));
+            (sum_x, sum_y) = (sum_x + f, sum_y + g);
+            moment = moment + (x + -ax) * g + -((y + -ay) * f);
+        }
+        for (_, drive) in entries(&truth["drives"]) {
+            moment = moment + -true_number(&drive["torque"]);
+        }
+        let names =
+            [("shaking.x".to_owned(), sum_x), ("shaking.y".to_owned(), sum_y), (format!("shaking({about})"), moment)];
+        seen += are_true(&case, &names);
+    }
+    assert!(seen >= 15, "only {seen}");
+}
+
+/// Names are read back as they are written, each with its kind; none means another one.
+#[test]
+fn names_are_read_back() {
+    for name in [
+        "h(3/2)",
+        "R_n(B,2)",
+        "R_t(B,2).size",
+        "F_i(2).x",
+        "M_i(2)",
+        "a_cm(2).angle",
+        "moment(weight(2),S3)",
+        "power(K1(ground))",
+        "shaking",
+        "shaking.size",
+        "shaking(A)",
+    ] {
+        let read = QuantityName::parse(name).unwrap_or_else(|| panic!("{name} is a name"));
+        assert_eq!(read.to_string(), name);
+    }
+    for name in ["shaking()x", "shaking/mu", "R_n(B)", "moment(P)", "omega", "R", "shaken"] {
+        assert!(QuantityName::parse(name).is_none(), "{name}");
+    }
+}
+
+#[test]
+fn names_of_what_is_not_there_are_refused() {
+    let case = cases().into_iter().find(|case| case["id"] == "H17-paper-figure-2").expect("the case is there");
+    let solution = solved(&case["scene"].to_string()).expect("it is solved");
+    for (name, why) in [
+        ("power(Z)", "there is no load `Z` here"),
+        ("moment(weight(22),B)", "there is no load `weight(22)` here"),
+        ("power(weight(22))", "did you mean `weight(2)`"),
+        ("R_n(B,4)", "that link has no joint at that pin"),
+        ("R_n(D,4)", "that link has not two joints there, whose line would be meant"),
+        ("shaking(B/2)", "there is no point"),
+    ] {
+        let error = solution.quantity(name).expect_err(name).to_string();
+        assert!(error.contains(why), "{name}: {error}");
+    }
+    let case = cases().into_iter().find(|case| case["id"] == "H07-four-bar-static").expect("the case is there");
+    let mut scene = case["scene"].clone();
+    scene["units"]["mass"] = json!("kg");
+    scene["links"]["2"]["mass"] = json!(2);
+    scene["links"]["2"]["center"] = json!(10);
+    let solution = solved(&scene.to_string()).expect("it is solved");
+    for (name, why) in [("F_i(2)", "inertia is left out"), ("F_i(3)", "that link has no mass")] {
+        let error = solution.quantity(name).expect_err(name).to_string();
+        assert!(error.contains(why), "{name}: {error}");
+    }
+    assert!(solution.quantity("a_cm(2)").is_ok());
+}
+
+/// Renaming a link renames the loads that have its name.
+#[test]
+fn a_load_is_renamed_with_its_link() {
+    use kinegon::scene::Argument;
+    let other = |argument: Argument, name: &str| {
+        (argument == Argument::Load && name == "weight(2)").then(|| "weight(9)".to_owned())
+    };
+    assert_eq!(QuantityName::reworded("moment( weight(2), S3)", other).as_deref(), Some("moment( weight(9), S3)"));
+}
