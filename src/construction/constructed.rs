@@ -246,7 +246,15 @@ impl Construction {
         let steps = self.steps.iter().flat_map(|(sheet, actions)| actions.iter().map(move |action| (sheet, action)));
         (1..).zip(steps).map(|(number, (sheet, action))| {
             let plan = self.plan_on(sheet);
-            NumberedStep { number, sheet, plan, centers: self.centers.as_deref(), forces: self.forces.as_deref(), levers: &self.levers, action }
+            NumberedStep {
+                number,
+                sheet,
+                plan,
+                centers: self.centers.as_deref(),
+                forces: self.forces.as_deref(),
+                levers: &self.levers,
+                action,
+            }
         })
     }
 
@@ -277,7 +285,15 @@ impl Construction {
             match actions.get(index) {
                 Some(action) => {
                     let (plan, centers) = (self.plan_on(sheet), self.centers.as_deref());
-                    return Some(NumberedStep { number, sheet, plan, centers, forces: self.forces.as_deref(), levers: &self.levers, action });
+                    return Some(NumberedStep {
+                        number,
+                        sheet,
+                        plan,
+                        centers,
+                        forces: self.forces.as_deref(),
+                        levers: &self.levers,
+                        action,
+                    });
                 }
                 None => index -= actions.len(),
             }

@@ -81,10 +81,10 @@ pub use operation::{
     Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, Reference, StepId,
 };
 pub use passage::{Aim, Passage};
-pub(crate) use polygon::{FoundForce, FoundNumbers};
 pub use polygon::{
     ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint, Polygon, Side, SideKind,
 };
+pub(crate) use polygon::{FoundForce, FoundNumbers};
 pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::{PlanVector, Teller};
 pub use solution::{Solution, construct};

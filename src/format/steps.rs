@@ -258,9 +258,9 @@ impl StepList<'_> {
             | Action::Lever(_) => {
                 if let (Action::Force(_), Some(force)) = (step.action, self.teller.force_of_step(step.action)) {
                     let names = step.names();
-                    let band = names.first().map_or_else(String::new, |name| {
-                        self.band(name, &self.unit(sheet), self.pencil.scales[sheet])
-                    });
+                    let band = names
+                        .first()
+                        .map_or_else(String::new, |name| self.band(name, &self.unit(sheet), self.pencil.scales[sheet]));
                     return vec![format!("{equation} = {}{band}", self.vector(force, sheet))];
                 }
                 if equation.is_empty() {
@@ -269,7 +269,8 @@ impl StepList<'_> {
                 let value = self.teller.value_of_step(step.action).map(|(value, kind)| {
                     let unit = kind.unit(self.units);
                     let is_force = matches!(step.action, Action::Force(_) | Action::Lever(_));
-                    let is_it = |name: &String| is_force && QuantityName::parse(name).map(|name| name.kind()) == Some(kind);
+                    let is_it =
+                        |name: &String| is_force && QuantityName::parse(name).map(|name| name.kind()) == Some(kind);
                     let name = step.names().into_iter().find(is_it);
                     let band = name.map_or_else(String::new, |name| self.band(&name, &unit, None));
                     format!(" = {} {unit}{band}", self.digits(value))

@@ -20,7 +20,9 @@ impl Reader<'_> {
         }
         match *of {
             ForceOf::Reaction(pin, body) => self.reaction(asked, pin, body),
-            ForceOf::ReactionPart(part, pin, body, _) => Ok((self.part_of_reaction(part, pin, body)?, Sense::Magnitude)),
+            ForceOf::ReactionPart(part, pin, body, _) => {
+                Ok((self.part_of_reaction(part, pin, body)?, Sense::Magnitude))
+            }
             ForceOf::Offset(slider) => self.offset(asked, slider),
             ForceOf::InertiaForce(body) if asked.written.component == Some(Component::Size) => {
                 Ok((self.inertia(body, 0)?, Sense::Magnitude))

@@ -3,8 +3,8 @@
 use super::name::{AccelerationPart, Pole, PoleOf, QuantityRequest, Spot, What};
 use crate::construction::Spot as DrawnAt;
 use crate::construction::{
-    Along, CenterId, Construction, End, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole, PlaceId,
-    Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
+    Along, CenterId, Construction, End, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole,
+    PlaceId, Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::scene::{Component, QuantityName};
@@ -281,7 +281,13 @@ impl Reader<'_> {
 
     /// Measures a number with errors of its own, as part of the step that gives the quantity `name`, or the length of the segment
     /// whose direction it is.
-    pub(super) fn measure(&mut self, sheet: impl Into<Sheet>, name: &str, ends: [PlaceId; 2], how: MeasuredAs) -> NumberId {
+    pub(super) fn measure(
+        &mut self,
+        sheet: impl Into<Sheet>,
+        name: &str,
+        ends: [PlaceId; 2],
+        how: MeasuredAs,
+    ) -> NumberId {
         let sheet = sheet.into();
         let construction = &self.writer.construction;
         let steps = self.steps.get_or_insert_with(|| construction.steps_of_quantities());

@@ -113,7 +113,9 @@ impl<'s> Drawn<'s> {
 
     fn on_levers(&self, load: usize, is_of_couple: bool) -> impl Iterator<Item = NumberId> {
         let forces = self.site.model.construction.levers.iter().flat_map(|lever| &lever.forces);
-        forces.filter(move |force| force.load == load && force.is_of_couple == is_of_couple).map(|force| force.numbers[0])
+        forces
+            .filter(move |force| force.load == load && force.is_of_couple == is_of_couple)
+            .map(|force| force.numbers[0])
     }
 
     fn is_there(&self, number: NumberId) -> bool {
@@ -246,7 +248,9 @@ pub(super) fn couple_forgotten(site: &Site<'_>) -> Vec<Candidate> {
     found(site, |drawn| {
         let of_loads = drawn.loads();
         let mut all: Vec<Candidate> = of_loads
-            .filter_map(|(index, load)| drawn.couple_times(index, 0.0, tell::couple_forgotten(drawn.couple_symbol(load))))
+            .filter_map(|(index, load)| {
+                drawn.couple_times(index, 0.0, tell::couple_forgotten(drawn.couple_symbol(load)))
+            })
             .collect();
         all.extend(all_of(&all, first_blank, tell::couple_forgotten));
         all
@@ -271,10 +275,7 @@ pub(super) fn centripetal_left_out(site: &Site<'_>) -> Vec<Candidate> {
 
 /// Forces of inertia by a wrong acceleration of the centre of mass: `wrong` takes that of a joint of the link, and that of the centre without its normal part
 /// about the joint.
-fn of_acceleration(
-    site: &Site<'_>,
-    wrong: fn([Vector; 2], (Blank, Blank)) -> (Vector, Told),
-) -> Vec<Candidate> {
+fn of_acceleration(site: &Site<'_>, wrong: fn([Vector; 2], (Blank, Blank)) -> (Vector, Told)) -> Vec<Candidate> {
     found(site, |drawn| {
         let Solution { mechanism, pose, motion, .. } = drawn.solution();
         let mut all = Vec::new();
@@ -373,7 +374,10 @@ impl Drawn<'_> {
     fn in_polygon(&self, factor: f64, tell: fn(Blank) -> Told) -> Vec<Candidate> {
         let laid = self.laid_off().into_iter().filter_map(|(maker, size, number, index)| {
             let told = tell(self.symbol(self.force_of(number)?));
-            Some(Candidate { step: self.site.model.steps[index], ..self.site.candidate(told, times(maker, size, factor)) })
+            Some(Candidate {
+                step: self.site.model.steps[index],
+                ..self.site.candidate(told, times(maker, size, factor))
+            })
         });
         laid.collect()
     }

@@ -4,7 +4,8 @@ use super::forces::{Drawn, found};
 use super::site::{Candidate, Site, instead, times};
 use super::told::{Blank, tell};
 use crate::construction::{
-    Disturbance, LineId, MeasuredAs, MomentPoint, NumberId, NumberKind, OperationKind, OperationRole, PlaceId, Reference,
+    Disturbance, LineId, MeasuredAs, MomentPoint, NumberId, NumberKind, OperationKind, OperationRole, PlaceId,
+    Reference,
 };
 use crate::geometry::{Vector, cross, quarter_turn};
 use crate::sheet::Sheet;
@@ -23,9 +24,8 @@ struct Arm {
     number: NumberId,
     about: PlaceId,
     foot: PlaceId,
-    /// The normal, and the operation that draws it.
+    /// The normal.
     normal: LineId,
-    drawn: usize,
     /// Where the force acts.
     at: PlaceId,
     sheet: Sheet,
@@ -40,7 +40,6 @@ fn arms(site: &Site<'_>) -> Vec<Arm> {
         if *site.number_kind(number) != NumberKind::Arm {
             return None;
         }
-        let (drawn, _) = site.drawing_of(normal)?;
         let OperationKind::Cross { lines, .. } = site.operation(site.model.place_makers[foot.0]?).kind else {
             return None;
         };
@@ -50,7 +49,7 @@ fn arms(site: &Site<'_>) -> Vec<Arm> {
             OperationKind::Join { from, .. } => from,
             _ => return None,
         };
-        Some(Arm { measured, number, about, foot, normal, drawn, at, sheet: operation.sheet })
+        Some(Arm { measured, number, about, foot, normal, at, sheet: operation.sheet })
     });
     all.collect()
 }

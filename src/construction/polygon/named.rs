@@ -189,9 +189,11 @@ impl Statics<'_, '_> {
                     Some(Found::Torque(body)) => vec![of_link("T", mechanism, body)],
                     Some(Found::CoupleAbout(..)) | None => Vec::new(),
                 },
-                ForceStep::Cross(polygon, first) => {
-                    [*first, first + 1].into_iter().filter_map(|index| side(*polygon, index)).flat_map(of_side).collect()
-                }
+                ForceStep::Cross(polygon, first) => [*first, first + 1]
+                    .into_iter()
+                    .filter_map(|index| side(*polygon, index))
+                    .flat_map(of_side)
+                    .collect(),
                 ForceStep::Close(polygon, index) | ForceStep::Join(polygon, index) => {
                     side(*polygon, *index).map(of_side).unwrap_or_default()
                 }

@@ -1,7 +1,7 @@
 //! Polygons, side by side.
 
 use super::statics::{Force, Statics};
-use super::{FoundForce, ForceOf, ForcePart, ForceStep, Polygon, Side, SideKind, WholeForce};
+use super::{ForceOf, ForcePart, ForceStep, FoundForce, Polygon, Side, SideKind, WholeForce};
 use crate::construction::number::{NumberKind, Product};
 use crate::construction::operation::{Along, MeasuredAs, OperationKind, OperationRole, PlaceId};
 use crate::geometry::Vector;

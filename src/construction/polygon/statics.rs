@@ -1,6 +1,6 @@
 //! Forces with their lines of action on the scheme, their arms and moments.
 
-use super::{FoundForce, ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint};
+use super::{ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, FoundForce, LoadShown, Moment, MomentPoint};
 use crate::construction::number::{Equation, NumberId, NumberKind, Product, ProductKind};
 use crate::construction::operation::{Along, LineId, MeasuredAs, OperationRole, PlaceId};
 use crate::construction::writer::{Begun, Writer};
