@@ -221,9 +221,8 @@ impl Construction {
 
     /// The name of a force or a moment that the force plan or a lever finds.
     fn name_of_force(&self, mechanism: &Mechanism, number: NumberId) -> Option<String> {
-        let lever = self.levers.iter().find(|lever| lever.number() == number);
-        let in_plan = || self.forces.as_ref()?.number_name(mechanism, number);
-        lever.and_then(|lever| lever.names.first().cloned()).or_else(in_plan)
+        let on_lever = self.levers.iter().find_map(|lever| lever.number_name(number));
+        on_lever.or_else(|| self.forces.as_ref()?.number_name(mechanism, number))
     }
 
     /// The name of the joint or special point at an end of a length.

@@ -199,11 +199,11 @@ impl NumberedStep<'_> {
             | Action::CenterLine { .. }
             | Action::LeaveOut { .. }
             | Action::CentersByRates(_)
-            | Action::Curvature { .. }
-            | Action::Lever(LeverStep::Turn(_) | LeverStep::Arm(..)) => Vec::new(),
+            | Action::Curvature { .. } => Vec::new(),
             Action::Force(step) => self.forces.map_or_else(Vec::new, |plan| plan.names(step)),
-            Action::Lever(LeverStep::Effort(index)) => {
-                self.levers.get(*index).map_or_else(Vec::new, |lever| lever.names.clone())
+            Action::Lever(step) => {
+                let (LeverStep::Turn(index) | LeverStep::Arm(index, _) | LeverStep::Effort(index)) = *step;
+                self.levers.get(index).map_or_else(Vec::new, |lever| lever.names(*step))
             }
             action => {
                 let image = self.plan.zip(action.image());

@@ -1,9 +1,11 @@
-use crate::construction::{Action, NOTHING, NumberedStep, Solution, Teller, Tolerance, plain_text, shown_text};
+use crate::construction::{
+    Action, ForceStep, NOTHING, NumberedStep, Solution, Teller, Tolerance, plain_text, shown_text,
+};
 use crate::drawing::drawn_vector;
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::{Pencil, Unread};
 use crate::scene::{QuantityName, Units};
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::{QuantityKind, Scales, Sheet};
 use crate::words::{NumberStyle, Wording};
 use std::fmt::Write;
 
@@ -153,6 +155,15 @@ impl StepList<'_> {
         )
     }
 
+    /// A quantity that hands read, with its value and its band.
+    fn read(&self, name: &str) -> Option<String> {
+        let band = self.pencil.band(name)?;
+        let kind = QuantityName::parse(name)?.kind();
+        let unit = kind.unit(self.units);
+        let separator = if kind == QuantityKind::Angle { "" } else { " " };
+        Some(format!("{name} = {}{separator}{unit}{}", self.digits(band.value), self.band(name, &unit, None)))
+    }
+
     /// The band of a plan's segment.
     fn segment_band(&self, sheet: Sheet, from: &str, to: &str) -> String {
         self.band(&sheet.segment_name(from, to), &self.unit(sheet), self.pencil.scales[sheet])
@@ -265,6 +276,12 @@ impl StepList<'_> {
                 }
                 if equation.is_empty() {
                     return Vec::new();
+                }
+                if let Action::Force(ForceStep::Cross(..)) = step.action {
+                    return [equation]
+                        .into_iter()
+                        .chain(step.names().iter().filter_map(|name| self.read(name)))
+                        .collect();
                 }
                 let value = self.teller.value_of_step(step.action).map(|(value, kind)| {
                     let unit = kind.unit(self.units);

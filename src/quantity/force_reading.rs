@@ -1,6 +1,6 @@
 //! How a hand reads forces and moments from its force plan or its lever.
 
-use super::force_name::{ForceOf, LinePart};
+use super::force_name::{ForceOf, LinePart, LoadOf};
 use super::name::QuantityRequest;
 use super::reading::{Reader, Sense, Unread};
 use crate::construction::{
@@ -42,8 +42,20 @@ impl Reader<'_> {
                     None => Ok((self.on_lever(Driven::Slider(slider)).ok_or(Unread::NotDrawn)?, Sense::Signed)),
                 }
             }
+            ForceOf::Power(load) => Ok((self.power(load)?, Sense::Signed)),
             _ => Err(Unread::NotDrawn),
         }
+    }
+
+    /// The power of a load, from its moment on the lever.
+    fn power(&self, of: LoadOf) -> Result<NumberId, Unread> {
+        let construction = &self.writer.construction;
+        let plan = construction.forces.as_deref().ok_or(Unread::NotDrawn)?;
+        let is_it = |load: &LoadShown| load.source == of.source && load.body == of.body;
+        let index = plan.loads.iter().position(is_it).ok_or(Unread::NotDrawn)?;
+        let mut powers = construction.levers.iter().flat_map(|lever| &lever.powers);
+        let found = powers.find(|power| power.load == index && power.name.is_some());
+        found.map(|power| power.number).ok_or(Unread::NotDrawn)
     }
 
     /// The force of inertia of a link, or its couple, as it is taken. Where accelerations are drawn it is as good as these are.

@@ -81,6 +81,7 @@ impl QuantityRequest {
     pub fn sheet(&self) -> Sheet {
         match &self.what {
             What::Pole(_) | What::Length(Spot::Pole(_), _) | What::Length(_, Spot::Pole(_)) => Sheet::Centers,
+            What::Force(ForceOf::Power(_), _) => Sheet::Lever,
             What::Force(..) => Sheet::Forces,
             _ => self.order().map_or(Sheet::Scheme, Order::sheet),
         }

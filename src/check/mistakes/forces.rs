@@ -424,20 +424,20 @@ pub(super) fn negative_kept(site: &Site<'_>) -> Vec<Candidate> {
 }
 
 impl Drawn<'_> {
-    /// A found force drawn a quarter turn off, in its polygon and where its line of action is drawn.
-    fn across(&self, part: &FoundForce, told: Told) -> Option<Candidate> {
+    /// A found force drawn quarter turns off, in its polygon.
+    fn across(&self, part: &FoundForce, turns: u8, told: Told) -> Option<Candidate> {
         let mut edits = Vec::new();
         for (index, operation) in self.site.operations() {
             let kind = match operation.kind {
                 OperationKind::Draw { line, through, along }
                     if along == part.along && operation.sheet == Sheet::Forces =>
                 {
-                    OperationKind::Draw { line, through, along: along.turned(1) }
+                    OperationKind::Draw { line, through, along: along.turned(turns) }
                 }
                 OperationKind::LayOff { place, from, size, along }
                     if along == part.along && self.sizes_of(&[part.size]).contains(&size) =>
                 {
-                    OperationKind::LayOff { place, from, size, along: along.turned(1) }
+                    OperationKind::LayOff { place, from, size, along: along.turned(turns) }
                 }
                 _ => continue,
             };
@@ -453,7 +453,7 @@ pub(super) fn normal_across(site: &Site<'_>) -> Vec<Candidate> {
         let is_pin = |joint| drawn.solution().mechanism.joint(joint).slider.is_none();
         let across = drawn.plan.numbers.parts.iter().filter_map(|part| match part.of {
             ForceOf::Joint { joint, part: ForcePart::Normal, .. } if is_pin(joint) => {
-                drawn.across(part, tell::normal_across(drawn.symbol(part.of)))
+                drawn.across(part, 1, tell::normal_across(drawn.symbol(part.of)))
             }
             _ => None,
         });
@@ -465,14 +465,21 @@ pub(super) fn normal_across(site: &Site<'_>) -> Vec<Candidate> {
 pub(super) fn along_guide(site: &Site<'_>) -> Vec<Candidate> {
     found(site, |drawn| {
         let solution = drawn.solution();
-        let along = drawn.plan.numbers.parts.iter().filter_map(|part| match part.of {
-            ForceOf::Joint { joint, part: kind, .. } if kind != ForcePart::AlongGuide => {
-                let slider = solution.mechanism.joint(joint).slider?;
+        let along = drawn.plan.numbers.parts.iter().flat_map(|part| {
+            let slider = match part.of {
+                ForceOf::Joint { joint, part, .. } if part != ForcePart::AlongGuide => {
+                    solution.mechanism.joint(joint).slider
+                }
+                _ => None,
+            };
+            let told = slider.map(|slider| {
                 let guide = Blank::Guide(solution.mechanism.slider_in_words(slider, &solution.wording()));
-                drawn.across(part, tell::guide_reaction_along_rod(drawn.symbol(part.of), guide))
-            }
-            _ => None,
+                tell::guide_reaction_along_rod(drawn.symbol(part.of), guide)
+            });
+            // Along a guide its force has no sense.
+            [1, 3].map(|turns| drawn.across(part, turns, told.clone()?))
         });
+        let along = along.flatten();
         along.collect()
     })
 }

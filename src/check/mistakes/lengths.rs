@@ -12,10 +12,13 @@ use crate::mechanism::{BodyId, Role};
 use crate::position::{Pose, pose};
 use crate::sheet::Sheet;
 
-/// The operations that measure a length: index, sheet, number, ends.
+/// The operations that measure a length between points of a name: index, sheet, number, ends.
 fn measures<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, Sheet, NumberId, [PlaceId; 2])> {
-    site.operations().filter_map(|(index, operation)| match operation.kind {
-        OperationKind::Measure { number, from, to, how: MeasuredAs::Along(_) | MeasuredAs::Size } => {
+    let is_meant = |number| !matches!(site.number_kind(number), NumberKind::Force | NumberKind::Arm);
+    site.operations().filter_map(move |(index, operation)| match operation.kind {
+        OperationKind::Measure { number, from, to, how: MeasuredAs::Along(_) | MeasuredAs::Size }
+            if is_meant(number) =>
+        {
             Some((index, operation.sheet, number, [from, to]))
         }
         _ => None,
@@ -40,10 +43,6 @@ fn measured(
 pub(super) fn component(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, _, number, ends) in measures(site) {
-        // Forces and arms are not measured between named points.
-        if matches!(site.number_kind(number), NumberKind::Force | NumberKind::Arm) {
-            continue;
-        }
         for (how, axis) in [(MeasuredAs::X, Blank::Horizontal), (MeasuredAs::Y, Blank::Vertical)] {
             let [from, to] = ends.map(|end| site.place(end));
             let told = tell::component(site.quantity(number), axis, from, to);

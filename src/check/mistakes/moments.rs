@@ -175,7 +175,8 @@ pub(super) fn about_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
             let about = sum.arms[0].about;
             let maker = site.model.place_makers[about.0];
             let is_crossing = maker.is_some_and(|maker| site.operation(maker).role == OperationRole::MomentPoint);
-            for (wrong, other, edit) in if is_crossing { crossings(drawn, about) } else { joints(drawn, sum, about) } {
+            let of_lines = if is_crossing { crossings(drawn, about) } else { Vec::new() };
+            for (wrong, other, edit) in of_lines.into_iter().chain(joints(drawn, sum, about)) {
                 let told = tell::moment_about_wrong_point(finds(drawn, sum.finds), wrong, right(drawn, sum, about));
                 let edits = match edit {
                     Some(edit) => vec![edit],
@@ -251,6 +252,7 @@ fn crossings(drawn: &Drawn<'_>, about: PlaceId) -> Vec<Wrong> {
         .take(maker)
         .filter(|(_, operation)| operation.sheet == Sheet::Scheme)
         .filter_map(|(_, operation)| operation.kind.line())
+        .filter(|line| line_name(drawn, *line).is_some())
         .collect();
     let right = site.model.exact.place(about);
     let mut all: Vec<Wrong> = Vec::new();
@@ -271,7 +273,7 @@ fn crossings(drawn: &Drawn<'_>, about: PlaceId) -> Vec<Wrong> {
                 continue;
             }
             places.push(at);
-            let symbols = [first, second].map(|line| line_name(drawn, line));
+            let symbols = [first, second].map(|line| line_name(drawn, line).unwrap_or_default());
             let edit = instead(maker, OperationKind::Cross { place: about, lines: [first, second] });
             all.push((Blank::Words(symbols.join(" × ")), about, Some(edit)));
         }
@@ -279,16 +281,16 @@ fn crossings(drawn: &Drawn<'_>, about: PlaceId) -> Vec<Wrong> {
     all
 }
 
-/// A line of the scheme by the points through which it is drawn.
-fn line_name(drawn: &Drawn<'_>, line: LineId) -> String {
+/// A line through two joints by their names; none of other lines.
+fn line_name(drawn: &Drawn<'_>, line: LineId) -> Option<String> {
     let site = drawn.site;
-    match site.drawing_of(line).map(|(_, operation)| &operation.kind) {
-        Some(OperationKind::Join { from, towards, .. }) => [*from, *towards].map(|end| site.place_name(end)).concat(),
-        Some(OperationKind::Draw { through, along, .. }) => match along.reference {
-            Reference::Line(of) if along.quarter_turns % 2 == 0 && of != line => line_name(drawn, of),
-            _ => format!("⟂{}", site.place_name(*through)),
+    match site.drawing_of(line)?.1.kind {
+        OperationKind::Join { from, towards, .. } => Some([from, towards].map(|end| site.place_name(end)).concat()),
+        OperationKind::Draw { along, .. } => match along.reference {
+            Reference::Line(of) if along.quarter_turns.is_multiple_of(2) && of != line => line_name(drawn, of),
+            _ => None,
         },
-        _ => String::new(),
+        _ => None,
     }
 }
 
