@@ -95,12 +95,10 @@ fn quantity(name: &str, mechanism: &Mechanism) -> Quantity {
         Argument::Link => Owner::Link,
         Argument::Slider => Owner::Slider,
         Argument::Point if written.arguments.len() == 1 => Owner::Point,
-        Argument::Point => Owner::Others,
+        Argument::Point | Argument::Load | Argument::Nothing => Owner::Others,
     };
     let (head, inside) = (written.head.word(), written.subject());
-    let whole = written.to_string();
-    let part = whole.strip_prefix(&format!("{head}({inside})")).unwrap_or_default();
-    Quantity { head: head.into(), part: part.into(), inside, ..plain(of) }
+    Quantity { head: head.into(), part: written.tail().into(), inside, ..plain(of) }
 }
 
 /// The steps of the construction.
