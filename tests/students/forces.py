@@ -496,7 +496,9 @@ class Sheet:
         spoil = None
         if self.mistake in ("force-missing-in-polygon", "twice") and not self.made and forces and self.chance < 0.8:
             spoil = int(self.pick * len(forces))
-            if abs(forces[spoil].amount) / self.mu_f < 4:
+            # He would see that a polygon of nothing is none.
+            rest = sum(abs(f.amount) for i, f in enumerate(forces) if i != spoil) / self.mu_f
+            if abs(forces[spoil].amount) / self.mu_f < 4 or rest < 15:
                 spoil = None
         for index, force in enumerate(forces):
             times = 1

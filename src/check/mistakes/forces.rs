@@ -8,7 +8,7 @@ use crate::construction::{
 };
 use crate::forces::Source;
 use crate::geometry::{Vector, unit};
-use crate::mechanism::BodyId;
+use crate::mechanism::{BodyId, PointId};
 use crate::scene::Amount;
 use crate::sheet::Sheet;
 
@@ -257,49 +257,77 @@ pub(super) fn couple_forgotten(site: &Site<'_>) -> Vec<Candidate> {
     })
 }
 
+/// Accelerations that somebody takes for that of a link's centre of mass.
+struct Taken {
+    /// The load that is the link's force of inertia.
+    load: usize,
+    /// The joint.
+    point: PointId,
+    right: Vector,
+    /// That of the joint.
+    of_point: Vector,
+    /// That of the centre without its centripetal part about the joint.
+    without: Vector,
+}
+
+impl Drawn<'_> {
+    fn taken(&self) -> Vec<Taken> {
+        let Solution { mechanism, pose, motion, .. } = self.solution();
+        let inertia = self.loads().filter(|(_, load)| load.source == Source::Inertia);
+        let all = inertia.flat_map(|(index, load)| {
+            let body = motion.body(load.body);
+            let right = body.acceleration_at(load.at);
+            mechanism.body(load.body).points.iter().map(move |&point| {
+                let at = pose.point(point);
+                let without = right + (load.at - at) * (body.omega * body.omega);
+                Taken { load: index, point, right, of_point: body.acceleration_at(at), without }
+            })
+        });
+        all.collect()
+    }
+
+    /// The force of inertia by a wrong acceleration.
+    fn by_acceleration(&self, taken: &Taken, wrong: Vector, told: Told) -> Option<Candidate> {
+        let load = &self.plan.loads[taken.load];
+        let amount = load.force.norm() / taken.right.norm();
+        if !amount.is_finite() || (wrong - taken.right).norm() <= 1e-3 * taken.right.norm() {
+            return None;
+        }
+        let force = wrong * -amount;
+        match force.norm() > 1e-9 * load.force.norm() {
+            true => self.force_instead(taken.load, force, told),
+            false => self.force_times(taken.load, 0.0, told),
+        }
+    }
+
+    fn point(&self, point: PointId) -> Blank {
+        self.solution().mechanism.point_name(point).into()
+    }
+}
+
 /// The acceleration of a joint in place of that of the centre of mass.
 pub(super) fn joint_for_center(site: &Site<'_>) -> Vec<Candidate> {
-    of_acceleration(site, |accelerations, told| {
-        let [of_point, _] = accelerations;
-        (of_point, tell::a_of_joint_for_centre(told.0, told.1))
+    found(site, |drawn| {
+        let all = drawn.taken();
+        let wrong = all.iter().filter_map(|taken| {
+            let load = drawn.load_symbol(&drawn.plan.loads[taken.load]);
+            let told = tell::a_of_joint_for_centre(load, drawn.point(taken.point));
+            drawn.by_acceleration(taken, taken.of_point, told)
+        });
+        wrong.collect()
     })
 }
 
 /// The centripetal part left out of the acceleration of the centre of mass.
 pub(super) fn centripetal_left_out(site: &Site<'_>) -> Vec<Candidate> {
-    of_acceleration(site, |accelerations, told| {
-        let [_, without] = accelerations;
-        (without, tell::centripetal_part_left_out(told.0, told.1))
-    })
-}
-
-/// Forces of inertia by a wrong acceleration of the centre of mass: `wrong` takes that of a joint of the link, and that of the centre without its normal part
-/// about the joint.
-fn of_acceleration(site: &Site<'_>, wrong: fn([Vector; 2], (Blank, Blank)) -> (Vector, Told)) -> Vec<Candidate> {
     found(site, |drawn| {
-        let Solution { mechanism, pose, motion, .. } = drawn.solution();
-        let mut all = Vec::new();
-        for (index, load) in drawn.loads().filter(|(_, load)| load.source == Source::Inertia) {
-            let body = motion.body(load.body);
-            let right = body.acceleration_at(load.at);
-            let amount = load.force.norm() / right.norm();
-            for &point in &mechanism.body(load.body).points {
-                let at = pose.point(point);
-                let of_point = body.acceleration_at(at);
-                let without = right + (load.at - at) * (body.omega * body.omega);
-                let told = (drawn.load_symbol(load), mechanism.point_name(point).into());
-                let (taken, told) = wrong([of_point, without], told);
-                if amount.is_finite() && (taken - right).norm() > 1e-3 * right.norm() {
-                    let force = taken * -amount;
-                    let instead = match force.norm() > 1e-9 * load.force.norm() {
-                        true => drawn.force_instead(index, force, told),
-                        false => drawn.force_times(index, 0.0, told),
-                    };
-                    all.extend(instead);
-                }
-            }
-        }
-        all
+        let all = drawn.taken();
+        let wrong = all.iter().filter_map(|taken| {
+            let load = drawn.load_symbol(&drawn.plan.loads[taken.load]);
+            let told = tell::centripetal_part_left_out(load, drawn.point(taken.point));
+            drawn.by_acceleration(taken, taken.without, told)
+        });
+        wrong.collect()
     })
 }
 
