@@ -2,7 +2,9 @@
 
 use super::judge::Refusal;
 use crate::check::BANDS;
-use crate::construction::{Action, Construction, ForceStep, OperationKind, OperationRole, Solution};
+use crate::construction::{
+    Action, Construction, ForceOf, ForcePlan, ForceStep, Moment, OperationKind, OperationRole, Solution,
+};
 use crate::drawing::KeyRow;
 use crate::geometry::{cross, unit};
 use crate::quantity::{QuantityKind, What};
@@ -14,6 +16,8 @@ const SINE: f64 = 0.258;
 const FORCE: f64 = 8.0;
 /// Smallest arm on paper, in mm.
 const ARM: f64 = 10.0;
+/// A moment below this part of the largest of its sum may have a short arm.
+const COUNTS: f64 = 0.05;
 /// Largest force of a plan over its smallest.
 const RATIO: f64 = 40.0;
 /// Largest band of a force, a moment or a power, in parts of it.
@@ -70,17 +74,16 @@ pub(super) fn are_clear(construction: &Construction, scales: &Scales) -> Result<
     let mut forces: Vec<f64> = Vec::new();
     if construction.by_hand.contains(&Sheet::Forces) {
         forces.extend(plan.polygons.iter().flat_map(|polygon| &polygon.sides).map(|side| side.vector.norm()));
-        let own = plan.moments.iter().flat_map(|moment| &moment.arms);
-        arms.extend(own.map(|arm| (arm.length, Sheet::Scheme)));
+        arms.extend(plan.moments.iter().flat_map(|moment| telling(plan, moment)).map(|arm| (arm, Sheet::Scheme)));
     }
     if construction.by_hand.contains(&Sheet::Lever) {
         let own = construction.levers.iter().flat_map(|lever| &lever.forces);
-        arms.extend(own.map(|force| (force.arm.abs(), Sheet::Lever)));
+        let largest = own.clone().map(|force| force.size * force.arm.abs()).fold(0.0, f64::max);
+        let telling = own.filter(|force| force.size * force.arm.abs() > COUNTS * largest);
+        arms.extend(telling.map(|force| (force.arm.abs(), Sheet::Lever)));
     }
-    let largest = |sheet: Sheet| arms.iter().filter(|arm| arm.1 == sheet).map(|arm| arm.0).fold(0.0, f64::max);
     for &(length, sheet) in &arms {
-        let mu = scales[sheet].ok_or(Refusal::Sheet)?;
-        if length > ZERO * largest(sheet) && length < ARM * mu {
+        if length < ARM * scales[sheet].ok_or(Refusal::Sheet)? {
             return Err(Refusal::ArmShort);
         }
     }
@@ -96,6 +99,34 @@ pub(super) fn are_clear(construction: &Construction, scales: &Scales) -> Result<
     }
 }
 
+/// The arms of a sum of moments that count in it: short ones of small forces do not matter.
+fn telling(plan: &ForcePlan, moment: &Moment) -> Vec<f64> {
+    let all = || moment.arms.iter().map(|arm| (arm.length, arm.length * force(plan, arm.of)));
+    let largest = all().map(|(_, moment)| moment).fold(0.0, f64::max);
+    all().filter(|(_, moment)| *moment > COUNTS * largest).map(|(length, _)| length).collect()
+}
+
+/// The size of a force of the plan.
+fn force(plan: &ForcePlan, of: ForceOf) -> f64 {
+    match of {
+        ForceOf::Load(index) => plan.loads.get(index).map_or(0.0, |load| load.force.norm()),
+        _ => {
+            let mut sides = plan.polygons.iter().flat_map(|polygon| &polygon.sides);
+            sides.find(|side| is_same(side.of, of)).map_or(f64::INFINITY, |side| side.vector.norm())
+        }
+    }
+}
+
+/// Whether two forces are one, on either link of its joint.
+fn is_same(a: ForceOf, b: ForceOf) -> bool {
+    match (a, b) {
+        (ForceOf::Joint { joint, part, .. }, ForceOf::Joint { joint: other, part: of_other, .. }) => {
+            joint == other && part == of_other
+        }
+        _ => a == b,
+    }
+}
+
 /// Whether a hand finds all forces, moments and powers well.
 pub(super) fn are_sure(rows: &[KeyRow<'_>]) -> Result<(), Refusal> {
     let is_meant = |kind| matches!(kind, QuantityKind::Force | QuantityKind::Moment | QuantityKind::Power);
@@ -104,6 +135,10 @@ pub(super) fn are_sure(rows: &[KeyRow<'_>]) -> Result<(), Refusal> {
         let alike = forces().filter(|other| other.asked.kind() == asked.kind());
         let largest = alike.map(|other| other.value.abs()).fold(0.0, f64::max);
         let size = value.abs().max(SMALL * largest);
+        // What only rounding leaves nobody is asked for.
+        if value.abs() <= ZERO * largest {
+            continue;
+        }
         if allowed.is_none_or(|allowed| allowed > BANDS * BAND * size) {
             return Err(Refusal::ForceUnsure);
         }

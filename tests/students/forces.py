@@ -368,6 +368,9 @@ class Sheet:
         for group in reversed(m.groups):
             {"RRR": self.rrr, "RRP": self.rrp, "III": self.third, "IV": self.fourth}[group[0]](*group[1:])
         self.crank()
+        if mistake and any(0 < value / mu_f < 5 for name, value in self.values.items() if name.startswith("R(") and name.endswith(".size")):
+            # He would see that nothing is left of a force.
+            raise Stuck
 
     def error(self, limit):
         return self.rng.uniform(-limit, limit) * self.size

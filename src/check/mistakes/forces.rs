@@ -361,7 +361,9 @@ pub(super) fn mass_for_weight(site: &Site<'_>) -> Vec<Candidate> {
             for (place, factor) in THOUSANDS.into_iter().enumerate() {
                 let told = tell::factor_of_thousand(drawn.load_symbol(load));
                 let forces = drawn.force_times(index, factor, told);
+                // A thousandth of a couple is as good as none: `couple_forgotten`.
                 let couple = drawn.couple_times(index, factor, tell::factor_of_thousand(drawn.couple_symbol(load)));
+                let couple = couple.filter(|_| factor > 1.0);
                 together[place].extend(forces.iter().filter(|_| load.source == Source::Inertia).cloned());
                 all.extend(forces);
                 all.extend(couple);
