@@ -876,7 +876,9 @@ def drawable(kind, rng, kinegon, folder, on_lever):
         mu_l = 2
         mu_f = next(x for x in (1, 2, 2.5, 4, 5, 10, 20) if largest / x < 110)
         speeds = [size(m.velocity(link, m.points[p])) for link, own in m.links.items() for p in own]
-        mu_h = next(x for x in (2, 2.5, 4, 5, 10, 20, 25, 40, 50, 100) if max(speeds) / x < 110)
+        mu_h = next((x for x in (2, 2.5, 4, 5, 10, 20, 25, 40, 50, 100) if max(speeds) / x < 110), None)
+        if mu_h is None:
+            continue
         try:
             if on_lever:
                 perfect = Lever(m, mu_h, random.Random(1), size_=0.0)

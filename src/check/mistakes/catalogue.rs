@@ -206,23 +206,23 @@ macro_rules! catalogue {
                 arms_in_paper_mm(scale)
             }
             /// What a joint does to one link handed on to the other without being reversed.
-            ReactionNotReversed "reaction-not-reversed" 6.0 forces::not_reversed { reaction_not_reversed(force) }
+            ReactionNotReversed "reaction-not-reversed" 6.0 polygons::not_reversed { reaction_not_reversed(force) }
             /// A force found negative laid off as if it were positive.
-            NegativeTangentialKept "negative-tangential-kept" 5.0 forces::negative_kept {
+            NegativeTangentialKept "negative-tangential-kept" 5.0 polygons::negative_kept {
                 negative_tangential_kept(force)
             }
             /// The part along a link drawn across it.
-            NormalAcross "normal-across" 3.0 forces::normal_across { normal_across(force) }
+            NormalAcross "normal-across" 3.0 polygons::normal_across { normal_across(force) }
             /// A force left out of a polygon.
-            ForceMissingInPolygon "force-missing-in-polygon" 5.0 forces::missing { force_missing_in_polygon(force) }
+            ForceMissingInPolygon "force-missing-in-polygon" 5.0 polygons::missing { force_missing_in_polygon(force) }
             /// A force laid off twice in a polygon.
-            ForceTwice "twice" 3.0 forces::twice { force_twice(force) }
+            ForceTwice "twice" 3.0 polygons::twice { force_twice(force) }
             /// What a guide does drawn along the guide.
-            GuideReactionAlongRod "guide-reaction-along-rod" 3.0 forces::along_guide {
+            GuideReactionAlongRod "guide-reaction-along-rod" 3.0 polygons::along_guide {
                 guide_reaction_along_rod(force, guide)
             }
             /// What a guide does taken to act in the slider's point.
-            GuideReactionThroughPin "guide-reaction-through-pin" 4.0 forces::through_pin {
+            GuideReactionThroughPin "guide-reaction-through-pin" 4.0 polygons::through_pin {
                 guide_reaction_through_pin(guide, point)
             }
             /// A mass in place of a weight, or a factor of 1000 between units.
@@ -241,7 +241,7 @@ macro_rules! catalogue {
                 couple_on_lever_unscaled(link)
             }
             /// The torque of a drive with the sense of what it works against.
-            TorqueSense "torque-sense" 5.0 forces::torque_sense { torque_sense(found) }
+            TorqueSense "torque-sense" 5.0 polygons::torque_sense { torque_sense(found) }
             /// The other assembly mode.
             OtherMode "other-mode" 4.0 lengths::other_mode { other_mode() }
             /// The mechanism drawn at another angle of its crank.

@@ -9,6 +9,7 @@ mod forces;
 mod images;
 mod lengths;
 mod moments;
+mod polygons;
 mod rates;
 mod rays;
 mod site;
