@@ -96,9 +96,9 @@ impl Bounds<'_> {
                 let (body, place) = self.true_place(e, spot)?;
                 TrueValue::Number(e.path_radius(body, place))
             }
-            What::Force(of, mechanism) => {
+            What::Force(of, compiled) => {
                 let about = of.about().and_then(|spot| self.true_place(e, spot)).map(|(_, place)| place);
-                match of.read(mechanism, self.forces()?, &self.loaded(e), about)? {
+                match of.read(&compiled.mechanism, self.forces()?, &self.loaded(e), about)? {
                     ForceRead::Number(number) => TrueValue::Number(number),
                     ForceRead::Vector(vector) => TrueValue::Vector(vector),
                 }

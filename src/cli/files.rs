@@ -1,5 +1,6 @@
 use super::message::{Failure, Source, refuse};
 use super::output::{Stream, write_file};
+use super::tables::with_tables;
 use crate::scene::{MAX_BYTES, Scene};
 use crate::text;
 use encoding_rs::{Encoding, UTF_16BE, UTF_16LE, WINDOWS_1252};
@@ -9,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 /// Reads a scene's text from a file, or from stdin for `-`.
 pub(super) fn read(path: &Path) -> Result<Source, Failure> {
-    read_text("scene", path)
+    with_tables(read_text("scene", path)?, path)
 }
 
 /// Reads a scene from a file, or from stdin for `-`.

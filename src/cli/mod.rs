@@ -35,6 +35,7 @@ pub mod pieces;
 mod solve;
 mod study;
 mod table;
+mod tables;
 
 pub use message::shown;
 

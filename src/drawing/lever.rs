@@ -56,6 +56,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
         let panel = LeverOnPaper { view, context, lever, index };
         canvas.step = turned;
         panel.images(canvas);
+        panel.couples(canvas);
         for (number, force) in panel.forces() {
             canvas.step = arms[number];
             if !panel.is_crowded() {
@@ -123,6 +124,22 @@ impl LeverOnPaper<'_> {
                 _ => continue,
             };
             canvas.draw(Pen::Image, shape).number = self.context.number(*link);
+        }
+    }
+
+    /// A line between the two forces of each couple, where there is no image of the link.
+    fn couples(&self, canvas: &mut Canvas<'_>) {
+        let forces: Vec<(usize, &LeverForce)> = self.forces().filter(|(_, force)| force.is_of_couple).collect();
+        let images = self.lever.links.iter().flat_map(|(_, images)| images).map(|(_, at)| self.at(*at));
+        let images: Vec<Point> = images.collect();
+        for pair in forces.windows(2) {
+            let [(number, from), (_, to)] = [pair[0], pair[1]];
+            let ends = [from.at, to.at].map(|at| self.at(at));
+            let is_image = |end: &Point| images.iter().any(|image| (*image - *end).hypot() < SHARED);
+            if from.load == to.load && !ends.iter().all(is_image) {
+                let name = format!("couple-{}-{}", self.index + 1, number + 1);
+                canvas.draw_below(&name, Pen::Construction, Shape::Line(ends[0], ends[1]));
+            }
         }
     }
 

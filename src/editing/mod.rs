@@ -29,6 +29,7 @@ mod present;
 pub mod reshape;
 #[doc(hidden)] // for tests
 pub mod says;
+mod tables;
 
 pub use add::{Along, NewLink, NewPoint, NewSlider, PlacedPoint, blank};
 pub use draft::{Draft, DraftGuide, DraftLink, DraftPoint, DraftSlider};
@@ -38,6 +39,7 @@ pub use position::{with_mode, with_position};
 pub use present::places;
 #[doc(inline)]
 pub use reshape::{Pins, Reshape, Reshaped};
+pub use tables::{TableInFile, tables_in_files, with_table};
 
 use crate::scene::{Figure, Scene, SceneError, figure_keys};
 use document::Document;

@@ -1,9 +1,9 @@
 //! What acts on the links besides their joints: weights, inertia, given forces and couples, springs.
 
 use super::{Counted, Posed};
-use crate::geometry::{Ball, Pair, Solvable, degrees_of};
-use crate::mechanism::{BodyId, GROUND, Mechanism};
-use crate::scene::{Amount, Analysis, Gauge, GivenBy, LinkPlace, Load, Loads, Mass, Spring, SpringEnd};
+use crate::geometry::{Ball, Pair, Solvable};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, SliderId};
+use crate::scene::{Amount, Analysis, Gauge, GivenBy, LinkPlace, Load, Mass, Over, Spring, SpringEnd};
 use std::marker::PhantomData;
 
 /// Where a load comes from.
@@ -67,102 +67,200 @@ impl<N: Solvable> Wrench<N> {
     }
 }
 
-/// All loads on bodies whose equilibrium counts; `factor` is the force that one unit of mass needs for one unit of acceleration; the frame among them for what springs do to it. `None` where a load changes over an
-/// angle or a position that there is not.
-pub(super) fn acting<N: Counted>(
-    loads: &Loads,
+/// The loads of a scene by the bodies and points of its mechanism, looked up once.
+#[derive(Clone, Debug)]
+pub(crate) struct LoadList {
+    /// The force that one unit of mass needs for one unit of acceleration.
     factor: Ball,
-    mechanism: &Mechanism,
-    posed: &impl Posed<N>,
-) -> Option<Vec<Acting<N>>> {
-    let here = Here { mechanism, posed, numbers: PhantomData };
-    let factor = N::of_ball(factor);
-    let gravity = Pair { x: posed.given(loads.gravity[0]), y: posed.given(loads.gravity[1]) };
-    let mut all = Vec::new();
-    for (link, mass) in &loads.masses {
-        if let Some(body) = mechanism.link(link) {
-            here.masses(body, mass, factor, gravity, loads.analysis, &mut all);
-        }
-    }
-    for (index, load) in loads.loads.iter().enumerate() {
-        all.push(here.given(index, load)?);
-    }
-    all.extend(loads.springs.iter().enumerate().flat_map(|(index, spring)| here.spring(index, spring)));
-    Some(all)
+    gravity: [f64; 2],
+    has_inertia: bool,
+    masses: Vec<PlacedMass>,
+    given: Vec<PlacedLoad>,
+    springs: Vec<PlacedSpring>,
+}
+
+#[derive(Clone, Debug)]
+struct PlacedMass {
+    body: BodyId,
+    amount: Amount,
+    inertia: f64,
+    center: Spot,
+}
+
+#[derive(Clone, Debug)]
+struct PlacedLoad {
+    body: BodyId,
+    at: Spot,
+    force: [f64; 2],
+    couple: f64,
+    turns: bool,
+    over: Option<(Changing, Over)>,
+}
+
+#[derive(Clone, Debug)]
+struct PlacedSpring {
+    ends: [(BodyId, Spot); 2],
+    rate: f64,
+    length: f64,
+}
+
+/// A place of a body.
+#[derive(Clone, Copy, Debug)]
+enum Spot {
+    Point(PointId),
+    /// In the fixed frame.
+    Fixed([f64; 2]),
+    /// In the frame of the body that has this point.
+    Local(PointId, [f64; 2]),
+}
+
+/// What a load changes over.
+#[derive(Clone, Copy, Debug)]
+enum Changing {
+    Angle(BodyId),
+    Position(SliderId),
 }
 
 /// The centre of mass of a body; `None` of one without a mass.
 pub(crate) fn center<N: Counted>(mechanism: &Mechanism, posed: &impl Posed<N>, body: BodyId) -> Option<Pair<N>> {
     let loads = &mechanism.loads.as_ref()?.0;
     let mass = loads.masses.get(&mechanism.body(body).name)?;
-    Some(Here { mechanism, posed, numbers: PhantomData }.place(body, &mass.center))
+    let center = spot(mechanism, body, Some(&mass.center));
+    Some(Here { posed, numbers: PhantomData }.place(body, center))
+}
+
+/// A place of a body as the scene gives it; its first point where it gives none.
+fn spot(mechanism: &Mechanism, body: BodyId, at: Option<&LinkPlace>) -> Spot {
+    let first = mechanism.body(body).points.first().copied();
+    let local = match at {
+        Some(LinkPlace::Point(name)) => return mechanism.point(name).map_or(Spot::Fixed([0.0; 2]), Spot::Point),
+        None => return first.map_or(Spot::Fixed([0.0; 2]), Spot::Point),
+        Some(LinkPlace::Place(place)) => *place,
+        Some(LinkPlace::Distance(distance)) => [*distance, 0.0],
+    };
+    match first {
+        Some(point) if body != GROUND && mechanism.given_by != GivenBy::Drawing => Spot::Local(point, local),
+        _ => Spot::Fixed(local),
+    }
+}
+
+impl LoadList {
+    /// `None` without loads, and where a load changes over an angle or a position that there is not.
+    pub fn new(mechanism: &Mechanism) -> Option<LoadList> {
+        let (loads, factor) = &**mechanism.loads.as_ref()?;
+        let mass = |(link, mass): (&String, &Mass)| {
+            let body = mechanism.link(link)?;
+            let Mass { amount, inertia, ref center } = *mass;
+            Some(PlacedMass { body, amount, inertia, center: spot(mechanism, body, Some(center)) })
+        };
+        let changing = |gauge: &Gauge| match gauge {
+            Gauge::Angle(link) => mechanism.link(link).map(Changing::Angle),
+            Gauge::Position(slider) => mechanism.slider_named(slider).map(Changing::Position),
+        };
+        let given = |load: &Load| {
+            let body = mechanism.link(&load.on)?;
+            let over = match &load.over {
+                Some(over) => Some((changing(&over.of)?, over.clone())),
+                None => None,
+            };
+            let Load { force, couple, turns, .. } = *load;
+            Some(PlacedLoad { body, at: spot(mechanism, body, load.at.as_ref()), force, couple, turns, over })
+        };
+        let spring = |spring: &Spring| {
+            let end = |end: &SpringEnd| {
+                let body = mechanism.body_named(&end.on)?;
+                Some((body, spot(mechanism, body, Some(&end.at))))
+            };
+            let [Some(first), Some(second)] = spring.ends.each_ref().map(end) else { return None };
+            Some(PlacedSpring { ends: [first, second], rate: spring.rate, length: spring.length })
+        };
+        Some(LoadList {
+            factor: *factor,
+            gravity: loads.gravity,
+            has_inertia: loads.analysis == Analysis::Dynamic,
+            masses: loads.masses.iter().filter_map(mass).collect(),
+            given: loads.loads.iter().map(given).collect::<Option<_>>()?,
+            springs: loads.springs.iter().map(spring).collect::<Option<_>>()?,
+        })
+    }
+
+    /// All loads on bodies whose equilibrium counts; the frame among them for what springs do to it. `None` where a load changes over
+    /// the angle of a body without an axis, or a position that counts from no point.
+    pub fn acting<N: Counted>(&self, posed: &impl Posed<N>) -> Option<Vec<Acting<N>>> {
+        let here = Here { posed, numbers: PhantomData };
+        let gravity = self.gravity.map(|x| posed.given(x));
+        let mut all = Vec::with_capacity(2 * self.masses.len() + self.given.len() + 2 * self.springs.len());
+        for mass in &self.masses {
+            self.masses(&here, mass, Pair { x: gravity[0], y: gravity[1] }, &mut all);
+        }
+        for (index, load) in self.given.iter().enumerate() {
+            all.push(here.given(index, load)?);
+        }
+        all.extend(self.springs.iter().enumerate().flat_map(|(index, spring)| here.spring(index, spring)));
+        Some(all)
+    }
+
+    /// The weight and the inertia of a link.
+    fn masses<N: Counted, P: Posed<N>>(
+        &self,
+        here: &Here<'_, P, N>,
+        mass: &PlacedMass,
+        gravity: Pair<N>,
+        all: &mut Vec<Acting<N>>,
+    ) {
+        let (posed, body) = (here.posed, mass.body);
+        let center = here.place(body, mass.center);
+        let factor = N::of_ball(self.factor);
+        // In units of force per unit of acceleration.
+        let amount = match mass.amount {
+            Amount::Mass(amount) => factor * posed.given(amount),
+            Amount::Weight(weight) => posed.given(weight) / gravity.dot(gravity).sqrt(),
+        };
+        if self.gravity != [0.0; 2] {
+            let (force, couple) = (gravity * amount, N::default());
+            all.push(Acting { source: Source::Weight, body, at: center, force, couple });
+        }
+        if self.has_inertia {
+            let couple = -(factor * posed.given(mass.inertia) * posed.alpha(body));
+            let force = posed.acceleration(body, center) * -amount;
+            all.push(Acting { source: Source::Inertia, body, at: center, force, couple });
+        }
+    }
 }
 
 struct Here<'a, P, N> {
-    mechanism: &'a Mechanism,
     posed: &'a P,
     numbers: PhantomData<N>,
 }
 
 impl<N: Counted, P: Posed<N>> Here<'_, P, N> {
-    /// The weight and the inertia of a link.
-    fn masses(
-        &self,
-        body: BodyId,
-        mass: &Mass,
-        factor: N,
-        gravity: Pair<N>,
-        analysis: Analysis,
-        all: &mut Vec<Acting<N>>,
-    ) {
-        let center = self.place(body, &mass.center);
-        // In units of force per unit of acceleration.
-        let amount = match mass.amount {
-            Amount::Mass(amount) => factor * self.posed.given(amount),
-            Amount::Weight(weight) => self.posed.given(weight) / gravity.dot(gravity).sqrt(),
-        };
-        let none = N::default();
-        if gravity != Pair::default() {
-            let force = gravity * amount;
-            all.push(Acting { source: Source::Weight, body, at: center, force, couple: none });
-        }
-        if analysis == Analysis::Dynamic {
-            let couple = -(factor * self.posed.given(mass.inertia) * self.posed.alpha(body));
-            let force = self.posed.acceleration(body, center) * -amount;
-            all.push(Acting { source: Source::Inertia, body, at: center, force, couple });
-        }
-    }
-
-    fn given(&self, index: usize, load: &Load) -> Option<Acting<N>> {
-        let body = self.mechanism.link(&load.on)?;
-        let times =
-            load.over.as_ref().map_or(Some(1.0.into()), |over| Some(N::of_ball(over.at(self.gauged(&over.of)?))))?;
+    fn given(&self, index: usize, load: &PlacedLoad) -> Option<Acting<N>> {
+        let body = load.body;
         let [x, y] = load.force.map(|x| self.posed.given(x));
-        let force = Pair { x, y } * times;
-        let force = if load.turns { self.posed.axis(body).unwrap_or_default().turn(force) } else { force };
-        let at = load.at.as_ref().map_or_else(|| about(self.mechanism, self.posed, body), |at| self.place(body, at));
-        Some(Acting { source: Source::Given(index), body, at, force, couple: self.posed.given(load.couple) * times })
+        let mut force = Pair { x, y };
+        let mut couple = self.posed.given(load.couple);
+        if let Some((changing, over)) = &load.over {
+            let times = self.times(*changing, over)?;
+            (force, couple) = (force * times, couple * times);
+        }
+        if load.turns {
+            force = self.posed.axis(body).unwrap_or_default().turn(force);
+        }
+        Some(Acting { source: Source::Given(index), body, at: self.place(body, load.at), force, couple })
     }
 
-    /// What a load changes over: an angle in degrees or a position, with its bound.
-    fn gauged(&self, gauge: &Gauge) -> Option<Ball> {
-        match gauge {
-            Gauge::Angle(link) => {
-                let axis = self.posed.axis(self.mechanism.link(link)?)?;
-                let axis = Pair { x: axis.x.ball(), y: axis.y.ball() };
-                let degrees = degrees_of(axis.rounded());
-                Some(Ball::from(degrees).widened(axis.degrees_from(degrees)))
-            }
-            Gauge::Position(slider) => Some(self.posed.slide_position(self.mechanism.slider_named(slider)?)?.ball()),
-        }
+    /// How often a load acts here that changes over the motion.
+    fn times(&self, changing: Changing, over: &Over) -> Option<N> {
+        let at = match changing {
+            Changing::Angle(link) => self.posed.axis(link).map(N::degrees)?,
+            Changing::Position(slider) => self.posed.slide_position(slider)?,
+        };
+        Some(at.factor(over))
     }
 
     /// What a spring does to both its ends.
-    fn spring(&self, index: usize, spring: &Spring) -> Vec<Acting<N>> {
-        let end = |end: &SpringEnd| self.mechanism.body_named(&end.on).map(|body| (body, self.place(body, &end.at)));
-        let [Some((first, from)), Some((second, to))] = spring.ends.each_ref().map(end) else {
-            return Vec::new();
-        };
+    fn spring(&self, index: usize, spring: &PlacedSpring) -> [Acting<N>; 2] {
+        let [(first, from), (second, to)] = spring.ends.map(|(body, at)| (body, self.place(body, at)));
         let arm = to - from;
         let length = arm.dot(arm).sqrt();
         let pull = self.posed.given(spring.rate) * (length - self.posed.given(spring.length));
@@ -173,28 +271,19 @@ impl<N: Counted, P: Posed<N>> Here<'_, P, N> {
             arm * (pull / length)
         };
         let on = |body, at, force| Acting { source: Source::Spring(index), body, at, force, couple: N::default() };
-        vec![on(first, from, force), on(second, to, -force)]
+        [on(first, from, force), on(second, to, -force)]
     }
 
     /// A place of a body in the fixed frame.
-    fn place(&self, body: BodyId, at: &LinkPlace) -> Pair<N> {
-        let local = match at {
-            LinkPlace::Point(name) => {
-                return self.mechanism.point(name).map_or_else(Pair::default, |point| self.posed.place(point));
-            }
-            LinkPlace::Place(place) => place.map(|x| self.posed.given(x)),
-            LinkPlace::Distance(distance) => [self.posed.given(*distance), N::default()],
-        };
-        let local = Pair { x: local[0], y: local[1] };
-        if body == GROUND || self.mechanism.given_by == GivenBy::Drawing {
-            return local;
-        }
-        match self.mechanism.body(body).points.first() {
-            Some(&point) => {
-                let arm = local - self.posed.local(body, point);
+    fn place(&self, body: BodyId, at: Spot) -> Pair<N> {
+        let given = |[x, y]: [f64; 2]| Pair { x: self.posed.given(x), y: self.posed.given(y) };
+        match at {
+            Spot::Point(point) => self.posed.place(point),
+            Spot::Fixed(place) => given(place),
+            Spot::Local(point, place) => {
+                let arm = given(place) - self.posed.local(body, point);
                 self.posed.place(point) + self.posed.axis(body).unwrap_or_default().turn(arm)
             }
-            None => local,
         }
     }
 }

@@ -2,7 +2,7 @@
 //! needs. Nothing here runs for a scene without loads.
 //!
 //! In reading order: `acting` makes loads of masses, gravity, inertia, forces and springs; `equilibrium` finds what joints carry;
-//! `power` finds the drives' torques a second time, from velocities; `carried` holds the result.
+//! `power` finds the drives' torques a second time, from velocities; `compiled` is quick for many positions; `carried` holds the result.
 //!
 //! # Forces in joints
 //!
@@ -22,24 +22,29 @@
 //!
 //! All numbers are [`Ball`]s, and the same code runs at a pose and within an enclosure of the true position and
 //! motion (`accuracy/`): a stated error is the distance of the one from the other. It runs in f64, too, for one of many positions
-//! (`Counted`): without bounds that takes a fraction of the time.
+//! (`Counted`): without bounds that takes a fraction of the time, and where all joints are pins and guides, it is done by what `compiled` has
+//! found once for all positions.
 
 mod acting;
 mod carried;
+mod compiled;
 mod equilibrium;
 mod power;
 
+use acting::LoadList;
 pub use acting::Source;
 pub(crate) use acting::center;
 pub use carried::{Agreement, Drive, Forces};
+pub use compiled::Compiled;
 pub(crate) use equilibrium::{driven, own_joint};
 pub use power::Driven;
 pub(crate) use power::lever_states;
 
-use crate::geometry::{Ball, Pair, Solvable};
+use crate::geometry::{Ball, Pair, Solvable, Vector, degrees_of};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use crate::motion::{Places, State, bounded_motion};
 use crate::position::Pose;
+use crate::scene::Over;
 use crate::sheet::Order;
 
 /// Where bodies are and how they move, for their forces.
@@ -68,8 +73,10 @@ pub(crate) trait Posed<N> {
 pub(crate) trait Counted: Solvable {
     /// The number that a ball stands for.
     fn of_ball(ball: Ball) -> Self;
-    /// The ball that stands for it.
-    fn ball(self) -> Ball;
+    /// The direction of a vector in degrees.
+    fn degrees(axis: Pair<Self>) -> Self;
+    /// How often a load acts at this place of its table.
+    fn factor(self, over: &Over) -> Self;
 }
 
 impl Counted for Ball {
@@ -77,8 +84,13 @@ impl Counted for Ball {
         ball
     }
 
-    fn ball(self) -> Ball {
-        self
+    fn degrees(axis: Pair<Ball>) -> Ball {
+        let degrees = degrees_of(axis.rounded());
+        Ball::from(degrees).widened(axis.degrees_from(degrees))
+    }
+
+    fn factor(self, over: &Over) -> Ball {
+        over.at(self)
     }
 }
 
@@ -87,24 +99,22 @@ impl Counted for f64 {
         ball.high
     }
 
-    fn ball(self) -> Ball {
-        self.into()
+    fn degrees(axis: Pair<f64>) -> f64 {
+        degrees_of(Vector::new(axis.x, axis.y))
+    }
+
+    fn factor(self, over: &Over) -> f64 {
+        over.at_exactly(self)
     }
 }
 
 /// The forces in a mechanism, with the drives' torques by both routes; `None` without loads, and where the equations of a group leave a
 /// number open, as they do in a singular position and beyond the range of f64.
 pub(crate) fn forces(mechanism: &Mechanism, posed: &(impl Posed<Ball> + Places)) -> Option<Forces> {
-    let forces = in_equilibrium(mechanism, posed)?;
+    let acting = LoadList::new(mechanism)?.acting(posed)?;
+    let forces = equilibrium::carried(mechanism, posed, acting)?;
     let drives = power::drives(mechanism, posed, &forces)?;
     Some(Forces { drives, ..forces })
-}
-
-/// The same from the equilibrium of the links alone, for one of many positions: its [`Forces::drives`] are empty.
-pub(crate) fn in_equilibrium<N: Counted>(mechanism: &Mechanism, posed: &impl Posed<N>) -> Option<Forces<N>> {
-    let (loads, factor) = &**mechanism.loads.as_ref()?;
-    let acting = acting::acting(loads, *factor, mechanism, posed)?;
-    equilibrium::carried(mechanism, posed, acting)
 }
 
 /// A pose and its motion, whose numbers count as exact.

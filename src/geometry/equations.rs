@@ -1,6 +1,6 @@
 //! A system of linear equations, whose numbers may be known within bounds.
 
-use super::{Ball, Elements, LinearSystem, Number, Numbers};
+use super::{Ball, Elements, LinearSystem, Number, refined};
 use nalgebra::DMatrix;
 
 /// Corrections go on until they are below this part of the solution: then only the bounds of the coefficients are left.
@@ -77,27 +77,14 @@ impl Equations<Ball> {
         let system = LinearSystem::of_vectors(rounded, self.vectors)?;
         let off: Elements = self.coefficients.iter().map(|coefficient| coefficient.error()).collect();
         let verified = system.verified(&off);
-        let mut solution = vec![Ball::default(); self.size];
-        let mut rest = self.right.clone();
-        let mut before = f64::INFINITY;
-        loop {
-            let right: Numbers = rest.iter().map(|x| x.high).collect();
-            let correction = system.solve(&right);
-            for (x, &more) in solution.iter_mut().zip(&correction) {
-                *x = *x + more.into();
-            }
-            let change = system.size(correction.iter().copied());
-            let size = system.size(solution.iter().map(|x| x.high));
-            // Corrections that no longer decrease are rounding.
-            if change <= LAST_CORRECTION * size || change > 0.5 * before || !change.is_finite() {
-                let uncertain: Numbers = rest.iter().map(|x| x.error()).collect();
-                let errors = verified.error_bound(&correction, &right, &uncertain);
-                let solved = solution.iter().zip(errors).map(|(x, error)| x.widened(error));
-                return Some(solved.collect::<Vec<Ball>>()).filter(|all| all.iter().all(|x| x.is_known()));
-            }
-            before = change;
-            rest = self.residuals(&solution);
-        }
+        let solution = refined(
+            &verified,
+            self.right.clone(),
+            LAST_CORRECTION,
+            |system, right| system.solve(right),
+            |_, solution| self.residuals(solution),
+        );
+        solution.iter().all(|x| x.is_known()).then(|| solution.into_vec())
     }
 
     /// What these unknowns leave of the equations.

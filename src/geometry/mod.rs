@@ -11,6 +11,7 @@ mod line;
 mod numbers;
 mod random;
 mod reduced;
+mod refined;
 mod system;
 
 pub use ball::{Ball, RADIANS_PER_SECOND, RADIANS_PER_TURN};
@@ -20,6 +21,7 @@ pub use line::{Crossing, Line, PARALLEL, Place};
 pub use numbers::{NEAR, Number, Pair, direction_near, quarters_of};
 pub use random::Random;
 pub use reduced::Reduced;
+pub use refined::{Balls, Sides, refined};
 pub use system::{Elements, LinearSystem, Numbers, Verified};
 
 /// A place in the plane, in the scene's length unit. Points cannot be added to each other.

@@ -88,7 +88,7 @@ impl LinearSystem {
         scales.fold(self.factors.determinant(), |d, scale| d / scale)
     }
 
-    fn size_of(&self) -> usize {
+    pub(super) fn size_of(&self) -> usize {
         self.column_scale.len()
     }
 
@@ -207,6 +207,12 @@ pub struct Verified<'a> {
 }
 
 impl Verified<'_> {
+    /// The system of which it holds.
+    #[must_use]
+    pub fn system(&self) -> &LinearSystem {
+        self.system
+    }
+
     /// Whether Newton's method with R takes every point of the box `[−reach, reach]` to one inside of it, where the first
     /// step from its middle goes no farther than `first`.
     fn maps_into_itself(&self, first: &[f64], reach: &[f64]) -> bool {

@@ -1,16 +1,13 @@
 use super::moving::{BoundedMotion, Places, State};
-use crate::geometry::{Ball, Elements, LinearSystem, Numbers, Pair, Point, Reduced, UNIT_ROUNDOFF, Vector, Verified};
+use crate::geometry::{
+    self, Ball, Balls, Elements, LinearSystem, Numbers, Pair, Point, Reduced, UNIT_ROUNDOFF, Vector, Verified, refined,
+};
 use crate::mechanism::{AngularRate, AngularTerms, LoopEquations, LoopTerms, PointId, Reduction, SlideRate, SliderId};
-use smallvec::{SmallVec, smallvec};
+use smallvec::SmallVec;
 
-/// Solves a group's loop equations almost to the last digit by iterative refinement.
-///
-/// The residual of the solution is computed with twice the digits, the same factors give a correction, and so on
-/// (Wilkinson 1963; Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, §12.1). Each pass multiplies the
-/// error by about u·condition.
+/// Solves a group's loop equations almost to the last digit ([`refined`]).
 pub(super) struct Solver<'a, P> {
     equations: &'a LoopEquations,
-    system: &'a LinearSystem,
     places: &'a P,
     /// What is proved of the matrices of all places that are meant.
     verified: Verified<'a>,
@@ -26,7 +23,6 @@ impl<'a, P: Places> Solver<'a, P> {
         let condition = system.condition();
         Self {
             equations,
-            system,
             places,
             verified: system.verified(&coefficient_errors(equations, places)),
             closed: ClosedForm::of(
@@ -39,39 +35,13 @@ impl<'a, P: Places> Solver<'a, P> {
     }
 
     /// The unknowns for these right sides, with bounds of their errors.
-    pub fn solve(&self, sides: &Sides) -> Balls {
-        let mut solution: Balls = smallvec![Ball::default(); self.equations.unknowns];
-        let mut rest = sides.clone();
-        let mut before = f64::INFINITY;
-        loop {
-            let right: Numbers = rest.numbers().map(|x| x.high).collect();
-            let correction = match &self.closed {
-                Some(form) => form.solve_all(&right),
-                None => self.system.solve(&right),
-            };
-            for (x, &more) in solution.iter_mut().zip(&correction) {
-                *x = *x + more.into();
-            }
-            let change = self.system.size(correction.iter().copied());
-            let size = self.system.size(solution.iter().map(|x| x.high));
-            // Corrections that no longer decrease are rounding.
-            if change <= self.last_correction * size || change > 0.5 * before || !change.is_finite() {
-                self.widen(&mut solution, &rest, &correction);
-                return solution;
-            }
-            before = change;
-            rest = residuals(self.equations, self.places, sides, &solution);
-        }
-    }
-
-    /// Widens the solution by the bounds of its errors after the last `correction`, found for the residual `rest`.
-    fn widen(&self, solution: &mut Balls, rest: &Sides, correction: &[f64]) {
-        let right: Numbers = rest.numbers().map(|x| x.high).collect();
-        let uncertain: Numbers = rest.numbers().map(Ball::error).collect();
-        let errors = self.verified.error_bound(correction, &right, &uncertain);
-        for (x, error) in solution.iter_mut().zip(errors) {
-            *x = x.widened(error);
-        }
+    pub fn solve(&self, sides: Sides) -> Balls {
+        let correct = |system: &LinearSystem, right: &[f64]| match &self.closed {
+            Some(form) => form.solve_all(right),
+            None => system.solve(right),
+        };
+        let left = |sides: &Sides, solution: &[Ball]| residuals(self.equations, self.places, sides, solution);
+        refined(&self.verified, sides, self.last_correction, correct, left)
     }
 }
 
@@ -186,9 +156,6 @@ impl ClosedForm {
     }
 }
 
-/// A number for each unknown of a group.
-type Balls = SmallVec<[Ball; 4]>;
-
 /// Right sides of the equations, or residuals: a vector for each loop, a number for each relation between angles.
 #[derive(Clone, Debug)]
 pub(super) struct Sides {
@@ -196,9 +163,9 @@ pub(super) struct Sides {
     angular: SmallVec<[Ball; 1]>,
 }
 
-impl Sides {
+impl geometry::Sides for Sides {
     /// The components of all loops, then of all relations between angles: the order of the equations.
-    pub fn numbers(&self) -> impl Iterator<Item = Ball> {
+    fn numbers(&self) -> impl Iterator<Item = Ball> {
         self.loops.iter().flat_map(|side| [side.x, side.y]).chain(self.angular.iter().copied())
     }
 }

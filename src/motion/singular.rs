@@ -5,7 +5,7 @@ use super::moving::State;
 use super::reach::Reach;
 use super::refine::velocity_sides;
 use super::says;
-use crate::geometry::{Line, Numbers, Vector, cross, degrees_of, quarter_turn};
+use crate::geometry::{Line, Numbers, Sides, Vector, cross, degrees_of, quarter_turn};
 use crate::mechanism::{Class, Group, JointId, LoopEquations, Mechanism, Role};
 use crate::message::Message;
 use crate::position::Pose;

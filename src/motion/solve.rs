@@ -143,9 +143,9 @@ fn move_group(
         return Err(Unsolved::Singular(condition));
     }
     let solver = Solver::new(&equations, &system, places);
-    let rates = solver.solve(&velocity_sides(&equations, places, state));
+    let rates = solver.solve(velocity_sides(&equations, places, state));
     let accelerations = match order {
-        Order::Acceleration => solver.solve(&acceleration_sides(&equations, places, state, &rates)),
+        Order::Acceleration => solver.solve(acceleration_sides(&equations, places, state, &rates)),
         Order::Velocity => smallvec![Ball::default(); equations.unknowns],
     };
     let mut all = rates.iter().chain(&accelerations);

@@ -4,7 +4,7 @@ use super::force_name::{ForceOf, LinePart, LoadOf, Towards};
 use super::name::QuantityError;
 use super::says;
 use super::value::{Quantity, Reader, State};
-use crate::forces::{Counted, Forces, Posed, Source, center, in_equilibrium};
+use crate::forces::{Compiled, Counted, Forces, Posed, Source, center};
 use crate::geometry::{Pair, Point, Vector};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use std::cell::OnceCell;
@@ -71,10 +71,11 @@ impl ForceOf {
 
 impl<S: State> Reader<'_, S> {
     /// The value of a force.
-    pub(super) fn force(&self, of: &ForceOf, mechanism: &Mechanism) -> Result<Quantity, QuantityError> {
+    pub(super) fn force(&self, of: &ForceOf, compiled: &Compiled) -> Result<Quantity, QuantityError> {
+        let mechanism = &compiled.mechanism;
         let here = Here { mechanism, state: self.state };
         let about = of.about().map(|spot| self.place(spot)).transpose()?.map(|(_, place)| place.coords.into());
-        let find = || in_equilibrium(mechanism, &here).map(Box::new);
+        let find = || compiled.forces(&here).map(Box::new);
         let read = |forces: &Forces<f64>| of.read(mechanism, forces, &here, about);
         let found = match self.state.kept_forces() {
             Some(KeptForces(kept)) => kept.get_or_init(find).as_deref().and_then(read),

@@ -5,6 +5,7 @@ use super::says;
 use crate::Problem;
 use crate::centers::{LinkPair, Permanent};
 use crate::construction::{Construction, NumberedStep, Rate, Solution, coincident_name};
+use crate::forces::Compiled;
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::message::Message;
 use crate::scene::{Component, Head, QuantityName};
@@ -128,7 +129,7 @@ pub enum What {
     /// The radius of curvature of the path of a place.
     PathRadius(Spot),
     /// What a joint carries or a drive needs, in this mechanism.
-    Force(ForceOf, Arc<Mechanism>),
+    Force(ForceOf, Arc<Compiled>),
 }
 
 /// A pole of the motion: a point that the motion of links makes, and no joint has to.
@@ -308,7 +309,9 @@ impl Finder<'_> {
             | Head::LoadMoment
             | Head::Power
             | Head::Shaking
-            | Head::ShakingMoment => What::Force(self.force(*head, first, second)?, Arc::new(self.mechanism.clone())),
+            | Head::ShakingMoment => {
+                What::Force(self.force(*head, first, second)?, Arc::new(Compiled::new(self.mechanism)))
+            }
         })
     }
 

@@ -101,7 +101,7 @@ impl QuantityRequest {
                 let (body, place) = reader.place(spot)?;
                 Number(self.path_radius(body, place, state)?)
             }
-            What::Force(of, mechanism) => reader.force(of, mechanism)?,
+            What::Force(of, compiled) => reader.force(of, compiled)?,
             What::Segment(order, ends) if self.written.component.is_some() => Vector(reader.segment(*order, ends)?),
             What::Segment(order, ends) if !self.written.on_paper => Number(reader.segment(*order, ends)?.norm()),
             What::Segment(order, ends) => {

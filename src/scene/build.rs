@@ -48,7 +48,7 @@ use super::write::{Write, Written, text_of};
 #[derive(Debug, Clone)]
 #[must_use]
 pub struct Builder {
-    file: Object,
+    pub(super) file: Object,
     /// The figure, which may have more than a file can say.
     figure: Option<Figure>,
 }
@@ -98,11 +98,7 @@ impl Builder {
     }
 
     fn sliding(mut self, slider: Object) -> Builder {
-        let slider = slider.in_order(&["sliders", ""]).written();
-        match self.file.slot("sliders") {
-            Written::List(sliders) => sliders.push(slider),
-            none => *none = Written::List(vec![slider]),
-        }
+        self.file.push("sliders", slider.in_order(&["sliders", ""]));
         self
     }
 
@@ -153,16 +149,16 @@ impl Builder {
 
 /// An object of the file. A key that is set twice stands there twice, and is refused as in any file.
 #[derive(Debug, Clone, Default)]
-struct Object(Vec<(String, Written)>);
+pub(super) struct Object(Vec<(String, Written)>);
 
 impl Object {
-    fn with(mut self, key: &str, value: &(impl Write + ?Sized)) -> Object {
+    pub fn with(mut self, key: &str, value: &(impl Write + ?Sized)) -> Object {
         self.0.push((key.to_owned(), value.written()));
         self
     }
 
     /// The value of a key, for one that may be set again.
-    fn slot(&mut self, key: &str) -> &mut Written {
+    pub fn slot(&mut self, key: &str) -> &mut Written {
         let index = self.0.iter().position(|(own, _)| own == key).unwrap_or(self.0.len());
         if index == self.0.len() {
             self.0.push((key.to_owned(), Written::Nothing));
@@ -170,8 +166,21 @@ impl Object {
         &mut self.0[index].1
     }
 
+    pub fn with_list(mut self, key: &str, list: Vec<Written>) -> Object {
+        self.0.push((key.to_owned(), Written::List(list)));
+        self
+    }
+
+    /// Adds an object to the list under a key.
+    pub fn push(&mut self, key: &str, object: Object) {
+        match self.slot(key) {
+            Written::List(list) => list.push(object.written()),
+            none => *none = Written::List(vec![object.written()]),
+        }
+    }
+
     /// Adds an entry to the object under a key.
-    fn add(&mut self, key: &str, name: &str, value: &impl Write) {
+    pub fn add(&mut self, key: &str, name: &str, value: &impl Write) {
         let entry = (name.to_owned(), value.written());
         match self.slot(key) {
             Written::Object(entries) => entries.push(entry),
@@ -180,7 +189,7 @@ impl Object {
     }
 
     /// With its keys in the order in which people write them, as the object at that path.
-    fn in_order(mut self, path: &[&str]) -> Object {
+    pub fn in_order(mut self, path: &[&str]) -> Object {
         let order = key_order(path);
         self.0.sort_by_key(|(key, _)| order.iter().position(|known| known == key));
         self
@@ -196,7 +205,7 @@ impl Write for Object {
 /// A link for [`Builder::link`](super::Builder::link).
 #[derive(Debug, Clone)]
 #[must_use]
-pub struct NewLink(Object);
+pub struct NewLink(pub(super) Object);
 
 impl NewLink {
     /// A link with these points. Its axis runs from the first to the second.

@@ -11,6 +11,7 @@
 //! CONTRIBUTING.md has the whole list.
 
 mod build;
+mod build_loads;
 mod centers;
 mod choices;
 mod digits;
@@ -37,6 +38,7 @@ mod value;
 mod write;
 
 pub use build::{Builder, Guide, NewLink, Push, Turn};
+pub use build_loads::{NewLoad, NewSpring};
 pub use centers::CentersShown;
 pub use choices::{
     CenterName, ConstructionShown, CoriolisName, DecimalMark, ForceUnit, FrameName, LanguageName, LengthUnit, MassUnit,

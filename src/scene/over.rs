@@ -11,6 +11,9 @@ use crate::geometry::Ball;
 use crate::text::shown;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{SeqAccess, Visitor};
+use std::fmt;
 
 /// A full turn, in degrees.
 const TURN: f64 = 360.0;
@@ -25,8 +28,49 @@ const TURN: f64 = 360.0;
 pub(super) struct OverFile {
     /// What it depends on: `angle(1)`, the angle of a link, or `position(3/ground)`, the position of a slider.
     of: String,
-    /// Pairs: an angle in degrees or a position, and how many times the given force and couple act there.
-    table: Vec<Line>,
+    /// Pairs: an angle in degrees or a position, and how many times the given force and couple act there; or a file with them.
+    table: Table,
+}
+
+/// The lines of a table. Only the program reads them from files, and writes them into the text before it is read.
+#[derive(Debug, Clone)]
+pub(super) struct Table(Vec<Line>);
+
+impl<'de> Deserialize<'de> for Table {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Table, D::Error> {
+        deserializer.deserialize_any(Lines)
+    }
+}
+
+struct Lines;
+
+impl<'de> Visitor<'de> for Lines {
+    type Value = Table;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("lines as [[0, 0], [90, 1500]]; a table in a file is read by the program `kinegon` alone")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, lines: A) -> Result<Table, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(lines)).map(Table)
+    }
+}
+
+impl JsonSchema for Table {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "loadTable".into()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({
+            "description": "Lines, or the path of a CSV file that the program reads",
+            "anyOf": [{ "type": "array", "items": generator.subschema_for::<Line>() }, { "type": "string" }]
+        })
+    }
+}
+
+write_forms! {
+    Table { Table(lines) => lines }
 }
 
 write_keys!(OverFile { of, table });
@@ -77,7 +121,7 @@ pub enum Gauge {
 
 impl OverFile {
     pub fn read(self, names: &Names<'_>) -> Result<Over, Wrong> {
-        let OverFile { of, table } = self;
+        let OverFile { of, table: Table(table) } = self;
         let table: Vec<[f64; 2]> = table.into_iter().map(|Line(line)| line).collect();
         let parsed = QuantityName::parse(&of).filter(|name| name.component.is_none());
         let gauge = match parsed.map(|QuantityName { head, arguments, .. }| (head, arguments)) {
@@ -135,6 +179,23 @@ impl Over {
         };
         let within: f64 = if off > 0.0 { pieces().map(change).sum() } else { 0.0 };
         factor.widened(within * (1.0 + 8.0 * f64::EPSILON))
+    }
+
+    /// The factor at a place that counts as exact.
+    pub(crate) fn at_exactly(&self, place: f64) -> f64 {
+        let table = &self.table;
+        let (first, last) = (table[0], table[table.len() - 1]);
+        let is_angle = matches!(self.of, Gauge::Angle(_));
+        let place = if is_angle { place - TURN * libm::floor((place - first[0]) / TURN) } else { place };
+        let after = table.partition_point(|line| line[0] <= place);
+        // From the last line of a turn on to the first of the next one; before and after a slider's table as at its ends.
+        let [from, to] = match (table[..after].last(), table.get(after)) {
+            (Some(&from), Some(&to)) => [from, to],
+            (Some(&from), None) if is_angle => [from, [first[0] + TURN, first[1]]],
+            (Some(_), None) => return last[1],
+            (None, _) => return first[1],
+        };
+        if from[0] == to[0] { from[1] } else { from[1] + (to[1] - from[1]) * ((place - from[0]) / (to[0] - from[0])) }
     }
 
     /// The table with a piece before its first line and one after its last, in which it does not change.

@@ -156,6 +156,7 @@ far_in_plan = bis {$point}: {$distance}
 cut_at_edge = am Rand abgeschnitten
 names_without_room = kein Platz für alle Namen
 names_left_out = kein Platz für:
+loads_without_scale = Lasten sind ohne Maßstab gezeichnet.
 at_infinity = {$point} im Unendlichen
 paths = Marken auf der Bahn von {$points}: alle {$step} des Antriebs {$drive}.
 paths_in_time = Marken auf der Bahn von {$points}: alle {$step} des Antriebs {$drive}, das heißt alle {$time}.

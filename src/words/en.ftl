@@ -167,6 +167,7 @@ cut_at_edge = cut at the edge
 names_without_room = no room for all names
 # Before a list of them.
 names_left_out = no room for:
+loads_without_scale = Loads are drawn without a scale.
 at_infinity = {$point} at infinity
 paths = Ticks on the path of {$points}: every {$step} of drive {$drive}.
 paths_in_time = Ticks on the path of {$points}: every {$step} of drive {$drive}, that is every {$time}.

@@ -154,6 +154,7 @@ far_in_plan = hasta {$point}: {$distance}
 cut_at_edge = recortado en el borde
 names_without_room = no caben todos los nombres
 names_left_out = no caben:
+loads_without_scale = Las cargas se dibujan sin escala.
 at_infinity = {$point} en el infinito
 paths = Marcas en la trayectoria de {$points}: cada {$step} de la pieza motriz {$drive}.
 paths_in_time = Marcas en la trayectoria de {$points}: cada {$step} de la pieza motriz {$drive}, es decir, cada {$time}.

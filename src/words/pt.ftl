@@ -156,6 +156,7 @@ far_in_plan = até {$point}: {$distance}
 cut_at_edge = cortado na borda
 names_without_room = não cabem todos os nomes
 names_left_out = não cabem:
+loads_without_scale = As cargas são desenhadas sem escala.
 at_infinity = {$point} no infinito
 paths = Marcas na trajetória de {$points}: a cada {$step} do acionamento {$drive}.
 paths_in_time = Marcas na trajetória de {$points}: a cada {$step} do acionamento {$drive}, ou seja, a cada {$time}.

@@ -199,6 +199,7 @@ sentences! {
     names_without_room;
     /// Before a list of them.
     names_left_out;
+    loads_without_scale;
     at_infinity(point);
     paths(points, step, drive);
     paths_in_time(points, step, drive, time);

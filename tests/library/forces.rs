@@ -151,6 +151,7 @@ fn power_and_equilibrium_agree() {
         let (difference, allowed) = (number(&forces["disagreement"]), number(&forces["disagreement_allowed"]));
         assert!(!exceeds(difference, allowed), "{kinds}: {difference:e} of {allowed:e}\n{scene}");
         assert!(!exceeds(difference, 1e-6), "{kinds}: {difference:e}\n{scene}");
+        by_names_as_in_results(&solution, forces, &kinds);
         // Where positions are proved, so are forces.
         if result["proved"] == true {
             for (pin, bodies) in entries(&forces["reactions"]) {
@@ -169,6 +170,35 @@ fn power_and_equilibrium_agree() {
         seen += 1;
     }
     assert!(seen * 10 > FORCED.now() * 8, "only {seen}");
+}
+
+/// What one of many positions says of forces, without bounds, by its own way, is within what `whole` states of this one.
+fn by_names_as_in_results(solution: &Solution, forces: &Value, kinds: &str) {
+    let number = |of: &Value| of.as_f64().unwrap_or(f64::NAN);
+    let value = |name: String| {
+        let found = solution.quantity(&name).unwrap_or_else(|error| panic!("{kinds}: {error}"));
+        found.as_number()
+    };
+    let mut pairs: Vec<(String, &Value)> = Vec::new();
+    for (pin, bodies) in entries(&forces["reactions"]) {
+        for (body, force) in entries(bodies) {
+            pairs.push((format!("R({pin},{body}).x"), &force["force"][0]));
+            pairs.push((format!("R({pin},{body}).y"), &force["force"][1]));
+        }
+    }
+    let largest = pairs.iter().fold(0.0_f64, |most, (_, force)| most.max(number(force).abs()));
+    for (slider, carried) in entries(&forces["sliders"]) {
+        pairs.push((format!("N({slider})"), &carried["normal"]));
+    }
+    for (name, force) in pairs {
+        let (own, expected) = (value(name.clone()), number(force));
+        assert!(!exceeds((own - expected).abs(), 1e-7 * largest), "{kinds}: {name} is {own}, not {expected}");
+    }
+    for (drive, needed) in entries(&forces["drives"]).filter(|(_, needed)| !needed["torque"].is_null()) {
+        let (own, expected) = (value(format!("T({drive})")), number(&needed["torque"]));
+        let power = entries(&needed["powers"]).map(|(_, power)| number(power).abs()).fold(0.0, f64::max);
+        assert!(!exceeds((own - expected).abs(), 1e-7 * power), "{kinds}: T({drive}) is {own}, not {expected}");
+    }
 }
 
 /// A four-bar with masses, a spring and gravity, its crank turning evenly at this angle.

@@ -10,7 +10,7 @@
 //! learning management systems back by the importers' rules, and holds them to the keys; `step_sheets` looks for what
 //! each step draws and says; `styles` measures contrast, and colours as dichromats see them; `strangers` gives
 //! titles, labels, names and arguments that a terminal, a spreadsheet or a parser would obey, and reads everything
-//! back; `notices` asks whether everybody whose work is shipped is named; `films` films and what they refuse; `overlays` the same of students' drawings over the right figure; `wording` looks for words of another
+//! back; `load_tables` reads tables of loads from files beside scenes; `notices` asks whether everybody whose work is shipped is named; `films` films and what they refuse; `overlays` the same of students' drawings over the right figure; `wording` looks for words of another
 //! language; `students` runs the judge in Python of `tests/students`, where Python is installed.
 
 mod boards;
@@ -39,6 +39,7 @@ mod films;
 #[cfg(unix)] // it has a shell run what pages say
 mod guide;
 mod installed;
+mod load_tables;
 mod notices;
 mod one_story;
 #[cfg(unix)] // limits, links and modes

@@ -197,13 +197,17 @@ class Slider(TypedDict):
 TableLine = Sequence[float]
 
 
+#: Lines, or the path of a CSV file that the program reads
+LoadTable = Union[Sequence[TableLine], str]
+
+
 class Over(TypedDict):
     """How a load changes over the motion, in the file."""
 
     of: str
     """What it depends on: `angle(1)`, the angle of a link, or `position(3/ground)`, the position of a slider."""
-    table: Sequence[TableLine]
-    """Pairs: an angle in degrees or a position, and how many times the given force and couple act there."""
+    table: LoadTable
+    """Pairs: an angle in degrees or a position, and how many times the given force and couple act there; or a file with them."""
     note: NotRequired[object]
     """For people; ignored"""
 

@@ -113,6 +113,12 @@ impl Canvas<'_> {
         left_out
     }
 
+    /// Says something in a corner of the panel, where no label will stand.
+    pub(in crate::drawing) fn remark(&mut self, name: &str, words: &str) {
+        let area = self.say(name, words, 0);
+        self.obstacles.add_boxes([area]);
+    }
+
     /// Says something in a corner of the panel from a step on; `name` is the end of its mark's id. Returns its box.
     pub(super) fn say(&mut self, name: &str, words: &str, step: u16) -> Rect {
         let text = RichText::plain(words);

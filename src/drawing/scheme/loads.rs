@@ -21,6 +21,8 @@ const LENGTH: [f64; 2] = [12.0, 8.5];
 /// Radius and angle of the arc of a couple.
 const RADIUS: f64 = 3.6;
 const SWEEP: f64 = 3.6;
+/// Radius of a torque around a couple, in parts of that of the couple.
+const AROUND: f64 = 1.75;
 /// How far a line of action goes on beyond its foot, in mm.
 const BEYOND: f64 = 3.0;
 /// Radius of a centre of mass, in mm.
@@ -59,6 +61,13 @@ impl SchemeOnPaper<'_> {
         }
         self.torques(canvas, plan);
         canvas.step = 0;
+    }
+
+    /// Says that loads have no scale.
+    pub(super) fn say_of_loads(&self, canvas: &mut Canvas<'_>) {
+        if self.context.construction().forces.as_deref().is_some_and(|plan| !plan.loads.is_empty()) {
+            canvas.remark("loads", self.context.words.language.loads_without_scale());
+        }
     }
 
     fn centers_of_mass(&self, canvas: &mut Canvas<'_>, plan: &ForcePlan) {
@@ -120,7 +129,11 @@ impl SchemeOnPaper<'_> {
                 canvas.step = step.number as u16;
                 let symbol = self.context.teller().torque_symbol(link);
                 let name = format!("torque-{}", self.mechanism.body(link).name);
-                self.couple(canvas, &name, pivot, value, (&symbol, 1.25 * RADIUS));
+                // Around the couples that are at the pivot already.
+                let is_there =
+                    |load: &&LoadShown| load.couple != 0.0 && (self.view.at(load.at) - pivot).hypot() < RADIUS;
+                let radius = if plan.loads.iter().any(|load| is_there(&load)) { AROUND } else { 1.25 };
+                self.couple(canvas, &name, pivot, value, (&symbol, radius * RADIUS));
             }
         }
         canvas.step = 0;

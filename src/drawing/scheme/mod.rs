@@ -64,6 +64,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     }
     canvas.step = 0;
     scheme.link_names(canvas);
+    scheme.say_of_loads(canvas);
 }
 
 /// Draws the mechanism alone, for other things to be drawn on it, with the names of the links and of these points.
