@@ -290,7 +290,9 @@ fn each_mistake_with_forces_is_planted_and_mostly_named() {
 fn honest_hands_are_told_of_no_mistake_with_forces() {
     let mut random = Random(6);
     // Of mechanisms that a hand draws well.
-    for (kind, scene) in [("inertia", inertia(&["scheme", "forces"])), ("piston", piston(&["scheme", "forces"])), ("lever", lever())] {
+    for (kind, scene) in
+        [("inertia", inertia(&["scheme", "forces"])), ("piston", piston(&["scheme", "forces"])), ("lever", lever())]
+    {
         let mut exercises = Exercises::new(&solution(&scene), None, 5).expect("it can vary");
         let solution = exercises.next().expect("an exercise").solution;
         let key = AnswerKey::new(&solution, None);
