@@ -1,5 +1,6 @@
 use crate::construction::{
-    Action, CurvatureStep, NOTHING, NumberedStep, Solution, Teller, Tolerance, display, plain_text, shown_text,
+    Action, CurvatureStep, ForceStep, NOTHING, NumberedStep, Solution, Teller, Tolerance, display, plain_text,
+    shown_text,
 };
 use crate::drawing::drawn_vector;
 use crate::geometry::{Vector, degrees_of};
@@ -164,6 +165,15 @@ impl StepList<'_> {
         )
     }
 
+    /// A force, a couple or an arm that hands find, with its value and its band.
+    fn found(&self, name: &str) -> Option<String> {
+        let band = self.pencil.band(name)?;
+        let kind = QuantityName::parse(name)?.kind();
+        let unit = kind.unit(self.units);
+        let separator = if kind == QuantityKind::Angle { "" } else { " " };
+        Some(format!("{name} = {}{separator}{unit}{}", self.digits(band.value), self.band(name, &unit, None)))
+    }
+
     /// The band of a plan's segment.
     fn segment_band(&self, sheet: Sheet, from: &str, to: &str) -> String {
         self.band(&sheet.segment_name(from, to), &self.unit(sheet), self.pencil.scales[sheet])
@@ -289,18 +299,39 @@ impl StepList<'_> {
             | Action::Force(_)
             | Action::Lever(_) => {
                 if let (Action::Force(_), Some(force)) = (step.action, self.teller.force_of_step(step.action)) {
-                    return vec![format!("{equation} = {}", self.vector(force, sheet))];
+                    let names = step.names();
+                    let band = names
+                        .first()
+                        .map_or_else(String::new, |name| self.band(name, &self.unit(sheet), self.pencil.scales[sheet]));
+                    return vec![format!("{equation} = {}{band}", self.vector(force, sheet))];
                 }
                 if equation.is_empty() {
                     return Vec::new();
                 }
+                if let Action::Force(ForceStep::Cross(..)) = step.action {
+                    return [equation]
+                        .into_iter()
+                        .chain(step.names().iter().filter_map(|name| self.found(name)))
+                        .collect();
+                }
                 let names = step.names();
+                let value = self.teller.value_of_step(step.action);
+                if matches!(step.action, Action::Force(_) | Action::Lever(_)) {
+                    let value = value.map(|(value, kind)| {
+                        let unit = kind.unit(self.units);
+                        let is_it = |name: &&String| QuantityName::parse(name).map(|name| name.kind()) == Some(kind);
+                        let band =
+                            { names.iter().find(is_it) }.map_or_else(String::new, |name| self.band(name, &unit, None));
+                        format!(" = {} {unit}{band}", self.digits(value))
+                    });
+                    return vec![equation + &value.unwrap_or_default()];
+                }
                 // The distances that are measured for it come before it, the direction of a velocity after it.
                 let is_length = |name: &&String| {
                     QuantityName::parse(name).is_some_and(|name| matches!(name.head, Head::Between(_)))
                 };
                 let (measured, found): (Vec<&String>, Vec<&String>) = names.iter().partition(is_length);
-                let value = self.teller.value_of_step(step.action).map(|(value, kind)| {
+                let value = value.map(|(value, kind)| {
                     let unit = kind.unit(self.units);
                     let band = found.first().map_or_else(String::new, |name| self.band(name, &unit, None));
                     format!(" = {} {unit}{band}", self.digits(value))
