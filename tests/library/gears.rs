@@ -47,6 +47,7 @@ fn wheels_have_true_rates_and_centres() {
         scene["want"] = json!(centers);
         let wanted = serde_json::to_value(solution(&scene).result()).expect("a result is JSON");
         let mut see = |what: &str, found: &Value, error: &Value, truth: &Value| {
+            assert!(found.is_number(), "{}: {what} is {found}", case["id"]);
             let (off, stated) = (off(found, truth), error.as_f64().unwrap_or_else(|| panic!("{what} has no bound")));
             assert!(!exceeds(off, stated), "{}: {what} is off by {off:e}, stated {stated:e}", case["id"]);
             compared += 1;

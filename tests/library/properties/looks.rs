@@ -56,7 +56,20 @@ impl Look {
         for slider in scene["sliders"].as_array_mut().into_iter().flatten() {
             self.slider(slider, drawn);
         }
+        for gear in scene["gears"].as_array_mut().into_iter().flatten().filter(|_| !drawn) {
+            self.gear(gear);
+        }
         clean(scene)
+    }
+
+    /// Angles on a moving carrier turn with it, and those on the frame do not.
+    fn gear(&self, gear: &mut Value) {
+        let [first, second] = [0, 1].map(|wheel| number(&gear["teeth"][wheel]));
+        let turned = if gear["on"] == "ground" { self.turned * (first + second) / second } else { 0.0 };
+        // A wheel that is the frame does not turn either.
+        let fixed = [0, 1].map(|wheel| f64::from(gear["mesh"][wheel] == "ground"));
+        let fixed = self.turned * (fixed[0] * first + fixed[1] * second) / second;
+        gear["phase"] = json!(self.sense * gear["phase"].as_f64().unwrap_or(0.0) + turned - fixed);
     }
 
     fn link(&self, link: &mut Value) {
@@ -216,6 +229,12 @@ pub fn renamed(scene: &Value, names: &Names) -> Value {
             *text = pair(text);
         }
     }
+    for gear in scene["gears"].as_array_mut().into_iter().flatten() {
+        let mesh = gear["mesh"].as_array_mut().map(std::mem::take).unwrap_or_default();
+        let mesh: Vec<String> = mesh.iter().filter_map(Value::as_str).map(|name| names.link(name)).collect();
+        gear["on"] = json!(names.link(gear["on"].as_str().unwrap_or_default()));
+        gear["mesh"] = json!(mesh);
+    }
     clean(scene)
 }
 
@@ -246,7 +265,7 @@ fn points(scene: &Value) -> Vec<String> {
 /// The scene with links, sliders and ground points in the opposite order.
 pub fn reversed(scene: &Value) -> Value {
     let mut scene = scene.clone();
-    for key in ["ground", "points", "known", "links", "sliders"] {
+    for key in ["ground", "points", "known", "links", "sliders", "gears"] {
         match &mut scene[key] {
             Value::Array(list) => list.reverse(),
             Value::Object(entries) => *entries = std::mem::take(entries).into_iter().rev().collect(),
