@@ -152,7 +152,8 @@ fn with_centers(
     };
     let points = |names: &[String]| -> Vec<PointId> { names.iter().filter_map(|name| mechanism.point(name)).collect() };
     let mut writer = Writer::continued(mechanism, pose, motion, construction);
-    writer.centers(&wanted, &points(&figure.velocities), &points(&figure.curvature));
+    let inflected: Vec<BodyId> = figure.inflection.iter().filter_map(|link| mechanism.link(link)).collect();
+    writer.centers(&wanted, &points(&figure.velocities), &points(&figure.curvature), &inflected);
     // On a scheme beside the centres nothing is drawn.
     let drawn: Vec<Sheet> = figure.shown_panels().into_iter().filter(|sheet| *sheet != Sheet::Scheme).collect();
     let needed = |sheet: &Sheet| drawn.iter().any(|drawn| drawn.with_those_needed().contains(sheet));
