@@ -3,7 +3,7 @@
 use crate::construction::{CenterOrigin, Construction, FigureOf, Plan, Solution};
 use crate::drawing::{RichText, SheetLabels};
 use crate::geometry::{Point, Vector};
-use crate::quantity::{QuantityRequest, What};
+use crate::quantity::{Component, QuantityRequest, What};
 use crate::sheet::Sheet;
 
 /// The points of a sheet that have places on paper.
@@ -106,7 +106,11 @@ impl<'a> PaperPoints<'a> {
     pub(super) fn named_by(&self, asked: &QuantityRequest) -> Vec<String> {
         match &asked.what {
             What::Segment(order, ends) if order.sheet() == self.sheet => ends.iter().map(ToString::to_string).collect(),
-            What::Pole(pole) if self.sheet == Sheet::Centers && asked.written.component.is_some() => {
+            // Of one at infinity the direction is asked for.
+            What::Pole(pole)
+                if self.sheet == Sheet::Centers
+                    && matches!(asked.written.component, Some(Component::X | Component::Y)) =>
+            {
                 vec![pole.name.clone()]
             }
             _ => Vec::new(),
