@@ -43,30 +43,62 @@ impl Solution {
         Ok(if is_table { form.csv(solution) } else { form.json(solution) })
     }
 
-    fn judged(&self, form: &str, options: &CheckOptions) -> Result<Judged<'_>, Refused> {
+    /// Judges a form, and hands on what was found.
+    fn judged<T>(
+        &self,
+        form: &str,
+        options: &CheckOptions,
+        then: impl FnOnce(&Judged<'_>) -> Result<T, Refused>,
+    ) -> Result<T, Refused> {
         if !(1..=6).contains(&options.depth) {
             return Err(Refused::new("KinegonError", "depth is from 1 to 6", None));
         }
         let hand = tolerance(options.mm, options.degrees)?;
-        let key = AnswerKey { depth: options.depth, ..AnswerKey::new(self.by_hand()?, hand) };
-        let scheme = options.marks.as_ref().map(|text| -> Result<_, Refused> { Ok(Marks::read(text)?.of(&key)?) });
-        let scheme = scheme.transpose()?;
+        let shown = self.by_hand()?;
+        let key_of = |solution| AnswerKey { depth: options.depth, ..AnswerKey::new(solution, hand) };
         let measured = if HandDrawing::is_one(form) {
             // A drawing is checked and marked by what it gives.
-            Judge::new(&key).form(&HandDrawing::read(form)?)
+            Judge::new(&key_of(shown)).form(&HandDrawing::read(form)?)
         } else if !options.is_table && Measured::is_json(form) {
             Measured::read_json(form)?
         } else {
             Measured::read_csv(form)?
         };
+        let with_centers = measured.with_centers(shown);
+        let key = key_of(with_centers.as_ref().unwrap_or(shown));
+        let scheme = options.marks.as_ref().map(|text| -> Result<_, Refused> { Ok(Marks::read(text)?.of(&key)?) });
+        let scheme = scheme.transpose()?;
         let checked = check(&measured, &key)?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
-        Ok(Judged { measured, key, checked, marks })
+        then(&Judged { measured, key, checked, marks })
     }
 
     /// The result as JSON, the report, and whether it is passed.
     pub fn checked(&self, form: &str, options: &CheckOptions) -> Result<(String, String, bool), Refused> {
-        let Judged { measured, key, checked, marks } = self.judged(form, options)?;
+        self.judged(form, options, |judged| judged.result(form))
+    }
+
+    pub fn page_for_student(&self, form: &str, options: &CheckOptions) -> Result<String, Refused> {
+        self.judged(form, options, |Judged { measured, key, checked, marks }| {
+            Ok(Feedback::new(measured, key, checked, marks.as_ref())?.html())
+        })
+    }
+
+    /// The student's points and lines over the right figure, at the student's scales.
+    pub fn overlay(&self, form: &str, options: &CheckOptions) -> Result<Vec<Drawing>, Refused> {
+        self.judged(form, options, |Judged { measured, key, checked, .. }| {
+            let mut solution = key.solution.clone();
+            solution.scene.figure.mu = measured.mu.or(solution.scene.figure.mu);
+            let drawn = redrawn(measured, key, checked)?;
+            Ok(overlay(&solution, &drawn))
+        })
+    }
+}
+
+impl Judged<'_> {
+    /// The result as JSON, the report, and whether it is passed.
+    fn result(&self, form: &str) -> Result<(String, String, bool), Refused> {
+        let Judged { measured, key, checked, marks } = self;
         let words = key.solution.wording();
         let line = marks.as_ref().map_or_else(String::new, |marks| marks.line(&words) + "\n");
         if HandDrawing::is_one(form) {
@@ -87,19 +119,5 @@ impl Solution {
         let mut result = check_result(&checked, &key, measured.name.clone());
         result.marks = marks;
         Ok((json_line(&result), report(&checked, &key) + &line, checked.is_passed()))
-    }
-
-    pub fn page_for_student(&self, form: &str, options: &CheckOptions) -> Result<String, Refused> {
-        let Judged { measured, key, checked, marks } = self.judged(form, options)?;
-        Ok(Feedback::new(&measured, &key, &checked, marks.as_ref())?.html())
-    }
-
-    /// The student's points and lines over the right figure, at the student's scales.
-    pub fn overlay(&self, form: &str, options: &CheckOptions) -> Result<Vec<Drawing>, Refused> {
-        let Judged { measured, key, checked, .. } = self.judged(form, options)?;
-        let mut solution = key.solution.clone();
-        solution.scene.figure.mu = measured.mu.or(solution.scene.figure.mu);
-        let drawn = redrawn(&measured, &key, &checked)?;
-        Ok(overlay(&solution, &drawn))
     }
 }

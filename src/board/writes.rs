@@ -83,7 +83,11 @@ impl<'g> Writer<'g> {
 
     fn write(&mut self, sheet: Sheet, role: OperationRole, kind: &OperationKind, in_step: bool) {
         match kind {
-            OperationKind::Pole { .. } | OperationKind::Plot { .. } => {}
+            // The last two no construction has.
+            OperationKind::Pole { .. }
+            | OperationKind::Plot { .. }
+            | OperationKind::Meet { .. }
+            | OperationKind::OnLine { .. } => {}
             OperationKind::Join { line, from, towards } => self.join(sheet, *line, [*from, *towards], role),
             OperationKind::Draw { line, through, along } => self.draw(sheet, *line, *through, along, role),
             OperationKind::Cross { place, lines } => {
@@ -109,6 +113,8 @@ impl<'g> Writer<'g> {
             OperationKind::Measure { number, from, to, how } => {
                 self.measure(sheet, *number, [*from, *to], *how, in_step)
             }
+            // The board has no tool for it; a form asks for it.
+            OperationKind::ReadDirection { .. } => {}
             OperationKind::Take { number, value } => self.take(*number, *value),
             OperationKind::Compute { number, sum } => self.compute(*number, sum),
             OperationKind::Solve { unknowns, equations } => {

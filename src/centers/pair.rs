@@ -80,7 +80,7 @@ impl LinkPair {
     }
 }
 
-/// A link in the index of a centre's symbol, in markup: as `shown` writes its name; the frame by the notation's number for it, else as 0, unless a link is called so.
+/// A link in the index of a centre's symbol, in markup: as `shown` writes its name; the frame by its label, else by the notation's number for it, else as 0, unless a link is called so.
 #[must_use]
 pub fn link_in_index(
     link: BodyId,
@@ -88,9 +88,10 @@ pub fn link_in_index(
     notation: &Notation,
     shown: &dyn Fn(&str) -> String,
 ) -> String {
-    match (link, notation.frame) {
-        (GROUND, Some(number)) => number.as_str().to_owned(),
-        (GROUND, None) if mechanism.link("0").is_none() => "0".to_owned(),
+    match (link, notation.frame_sign, notation.frame) {
+        (GROUND, Some(sign), _) => sign.text(),
+        (GROUND, None, Some(number)) => number.as_str().to_owned(),
+        (GROUND, None, None) if mechanism.link("0").is_none() => "0".to_owned(),
         _ => shown(&mechanism.body(link).name),
     }
 }

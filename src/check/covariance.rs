@@ -4,7 +4,7 @@
 use super::mistakes::{Amount, Free};
 use super::model::{COMPUTING, Changes, GROUPS, Model, PLOTTED, TOGETHER};
 use crate::construction::{Change, NumberId, Tolerance, Values};
-use crate::geometry::with_turns;
+use crate::geometry::{with_turns, without_sense};
 use crate::sheet::QuantityKind;
 
 /// A value of the form as it is compared with a prediction.
@@ -18,6 +18,8 @@ pub(super) struct Datum {
     /// Whether its sign is unknown.
     pub is_magnitude: bool,
     pub kind: QuantityKind,
+    /// Whether it is the direction of a line, which has no sense.
+    pub is_line: bool,
     /// The range in which a value of this kind could lie.
     pub span: f64,
 }
@@ -46,7 +48,11 @@ impl Datum {
 
     /// A difference of two such values; of angles the shorter way round.
     pub fn turned(&self, difference: f64) -> f64 {
-        if self.kind == QuantityKind::Angle { with_turns(difference, 0.0) } else { difference }
+        match self.kind {
+            QuantityKind::Angle if self.is_line => without_sense(difference, 0.0),
+            QuantityKind::Angle => with_turns(difference, 0.0),
+            _ => difference,
+        }
     }
 }
 

@@ -91,5 +91,7 @@ fn printed(figure: &Figure) -> Figure {
 
 /// The title of an exercise.
 fn titled(scene: Option<&Scene>, words: &Wording) -> Untrusted {
-    scene.and_then(|scene| scene.title.clone()).unwrap_or_else(|| words.language.title().into())
+    let own = scene.and_then(|scene| scene.title.clone());
+    let usual = || scene.map_or_else(|| words.language.title().to_owned(), |scene| words.title_of(&scene.figure));
+    own.unwrap_or_else(|| usual().as_str().into())
 }

@@ -4,7 +4,7 @@
 //! with all values, right and wrong ones.
 //!
 //! In reading order: `measured` has the answer key, the values of a form and the error of what is not understood; `names`
-//! has the names of a form's boxes, those on the sheets, and what a written name means; `form` reads and writes forms as
+//! has the names of a form's boxes, those on the sheets, and what a written name means, `named` the centres of forms whose figure shows none; `form` reads and writes forms as
 //! JSON and lists their boxes for a page, `table` as a table. `entry` makes of each value a quantity with its number, with
 //! what `written` knows of digits and units, and `placed` what places of points tell; `sensible` has the scales at which a sheet can be drawn,
 //! `common` the error that all lengths of a sheet share. `checked` is what a check finds; `verdicts` judges the values, `prepared` carries it out and keeps what many
@@ -71,6 +71,7 @@ mod measured;
 mod mistakes;
 #[doc(hidden)] // for tests
 pub mod model;
+mod named;
 mod names;
 #[cfg(feature = "photo")]
 mod photographs;

@@ -61,6 +61,7 @@ impl<'a> Scorer<'a> {
                 rounding,
                 is_magnitude: entry.is_magnitude || reading.is_size(),
                 kind,
+                is_line: entry.asked.is_line(),
                 span,
             })
         });

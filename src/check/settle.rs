@@ -1,7 +1,7 @@
 //! Fits the amounts of mistakes that are not known beforehand: so that the first value that they move is the written one.
 
 use super::fit::Fit;
-use super::mistakes::{Amount, Blank, Candidate, tell};
+use super::mistakes::{Amount, Blank, Candidate, Free, Mistake, measured_there, tell};
 use super::score::Scorer;
 use crate::construction::Disturbance;
 
@@ -53,19 +53,37 @@ impl<'a> Settling<'a> {
             return Vec::new();
         };
         let first = moved[at];
-        let roots = match (self.none.len(), moved.get(at + 1)) {
+        // Amounts of two operations: the first value that the later one moves besides.
+        let second = match self.template.free.as_slice() {
+            [one, other] if one.operation != other.operation => {
+                self.moved_by(1).into_iter().find(|&datum| datum != first && self.fit.outside[datum])
+            }
+            _ => moved.get(at + 1).copied(),
+        };
+        let roots = match (self.none.len(), second) {
             (1, _) => self.roots(first),
-            (_, Some(&second)) => self.points([first, second]),
+            (_, Some(second)) => self.points([first, second]),
             _ => Vec::new(),
         };
         let entry = self.scorer.entry(first);
         // What is wrong before the first step shows at the step of the first value.
         let step = if self.template.step == 0 { entry.step } else { self.template.step };
-        let named = |amounts: Vec<f64>| {
-            let told = tell::unknown(Blank::Quantity(entry.asked.name().to_owned()));
-            Candidate { told, step, ..self.with(&amounts) }
+        let named = |amounts: Vec<f64>| -> Vec<Candidate> {
+            let settled = Candidate { step, ..self.with(&amounts) };
+            if self.template.mistake() == Mistake::Unknown {
+                let told = tell::unknown(Blank::Quantity(entry.asked.name().to_owned()));
+                return vec![Candidate { told, ..settled }];
+            }
+            let model = self.scorer.model(self.set);
+            let place = |free: &Free| model.construction.operations[free.operation].kind.place();
+            // Lines that are moved go through what is marked on them.
+            let marked = if self.template.edits.is_empty() { &[] } else { self.template.free.as_slice() };
+            let places = marked.iter().filter_map(place);
+            places.fold(vec![settled], |all, place| {
+                all.into_iter().flat_map(|settled| measured_there(model, settled, place)).collect()
+            })
         };
-        roots.into_iter().map(named).collect()
+        roots.into_iter().flat_map(named).collect()
     }
 
     /// The mistake with these amounts.
@@ -73,7 +91,8 @@ impl<'a> Settling<'a> {
         let amounts = self.template.free.iter().zip(amounts);
         let edits =
             amounts.map(|(free, &amount)| Disturbance { operation: free.operation, change: free.change(amount) });
-        Candidate { edits: edits.collect(), ..self.template.clone() }
+        // The amounts first, each beside what is free (`Scorer::free`).
+        Candidate { edits: edits.chain(self.template.edits.iter().cloned()).collect(), ..self.template.clone() }
     }
 
     fn predicted(&self, amounts: &[f64]) -> Vec<f64> {
@@ -85,18 +104,23 @@ impl<'a> Settling<'a> {
 
     /// The data that the mistake moves, in the order of the construction.
     fn moved(&self) -> Vec<usize> {
-        let mut moved = vec![false; self.fit.predicted.len()];
-        for (which, free) in self.template.free.iter().enumerate() {
-            let mut amounts = self.none.clone();
-            amounts[which] += 0.5 * free.range;
-            let predicted = self.predicted(&amounts);
-            for (index, moved) in moved.iter_mut().enumerate() {
-                let datum = &self.scorer.data[index];
-                let by = datum.seen_apart(predicted[index], self.fit.predicted[index]);
-                *moved |= by.abs() > 1e-3 * datum.span;
-            }
-        }
-        (0..moved.len()).filter(|&index| moved[index]).collect()
+        let mut moved: Vec<usize> = (0..self.template.free.len()).flat_map(|which| self.moved_by(which)).collect();
+        moved.sort_unstable();
+        moved.dedup();
+        moved
+    }
+
+    /// The data that one of its amounts moves.
+    fn moved_by(&self, which: usize) -> Vec<usize> {
+        let mut amounts = self.none.clone();
+        amounts[which] += 0.5 * self.template.free[which].range;
+        let predicted = self.predicted(&amounts);
+        let is_moved = |index: &usize| {
+            let datum = &self.scorer.data[*index];
+            let by = datum.seen_apart(predicted[*index], self.fit.predicted[*index]);
+            by.abs() > 1e-3 * datum.span
+        };
+        (0..self.fit.predicted.len()).filter(is_moved).collect()
     }
 
     /// How far a predicted value is from the written one.

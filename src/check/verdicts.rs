@@ -6,7 +6,6 @@ use super::entry::Entry;
 use super::measured::AnswerKey;
 use super::model::Model;
 use super::score::Scorer;
-use crate::geometry::with_turns;
 use crate::quantity::{Band, QuantityRequest, Unread};
 use crate::sheet::QuantityKind;
 
@@ -17,10 +16,7 @@ pub(super) fn judged(entries: &[Entry], right: &Model, bands: &[Option<Band>]) -
         // Segments and lengths have no sign, whatever sign is written.
         let is_size = entry.is_magnitude || reading.is_ok_and(|r| r.is_size());
         let [value, expected] = [entry.value, entry.expected].map(|x| if is_size { x.abs() } else { x });
-        let mut difference = value - expected;
-        if entry.asked.kind() == QuantityKind::Angle {
-            difference = with_turns(difference, 0.0);
-        }
+        let difference = entry.asked.turned(value - expected);
         let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
         let drawn = band.map_or(0.0, |band| BANDS * band.band);
         let telling = Telling::new(&entry.asked, expected, largest(entries, entry.asked.kind()));

@@ -10,8 +10,8 @@ use clap::Args;
 #[derive(Debug, Default, Args)]
 pub(super) struct CenterOptions {
     /// Draw the figure of instant centres, in place of the plans where the scene does not ask for it: `all`, or these, as
-    /// "P(1,3), P(2,ground)"; without a word those that the scene asks for, else the usual ones.
-    #[arg(long, value_name = "CENTRES", num_args = 0..=1, require_equals = true, default_missing_value = "")]
+    /// "P(1,3), P(2,ground)"; without a word, or with `usual`, those that the scene asks for, else the usual ones.
+    #[arg(long, value_name = "CENTRES", num_args = 0..=1, require_equals = true, default_missing_value = USUAL)]
     centers: Option<String>,
     /// Find the velocities of these points, as "C, D", by instant centres, on that figure.
     #[arg(long, value_name = "POINTS")]
@@ -32,6 +32,9 @@ pub(super) struct PoleOptions {
     inflection: Vec<String>,
 }
 
+/// What stands for the option without a word.
+const USUAL: &str = "usual";
+
 /// The word for all centres.
 const ALL: &str = "all";
 
@@ -39,7 +42,7 @@ impl CenterOptions {
     /// Overrides a scene's figure by the options that are given.
     pub(super) fn put_into(&self, figure: &mut Figure) {
         match self.centers.as_deref() {
-            None | Some("") => {}
+            None | Some(USUAL) => {}
             Some(ALL) => figure.centers = CentersShown::All,
             Some(names) => figure.centers = CentersShown::Named(split_names(&[names.to_owned()])),
         }

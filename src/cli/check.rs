@@ -12,12 +12,14 @@ use crate::board::HandDrawing;
 use crate::check::{self, AnswerKey, ClassColumns, Feedback, MarkScheme, Marks, Measured, Prepared};
 use crate::construction::Solution;
 use crate::cores::on_all_cores;
+use crate::exercise::ExerciseError;
 use crate::format;
 use crate::scene::{Figure, SizeLimit};
 use crate::sheet::Order;
 use crate::words::Wording;
 use clap::Args;
 use std::collections::BTreeSet;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 const AFTER_HELP: &str = "\
@@ -92,6 +94,9 @@ impl Check {
         }
         let solution = self.solved(&self.scene)?;
         let Some(path) = &self.measured else {
+            if let Err(nothing) = ExerciseError::refuse_nothing(&solution) {
+                return Err(Failure::unclear(nothing.to_string()));
+            }
             let form = Measured::empty(solution.scales(), None);
             let is_csv = self.template.as_deref() == Some("csv");
             return files::print(if is_csv { form.csv(&solution) } else { form.json(&solution) }.as_bytes());
@@ -149,6 +154,8 @@ impl Check {
         let path = self.measured.as_deref().unwrap_or(Path::new("-"));
         let own = exercise.marks();
         let marks = own.as_deref().or(self.marks.as_deref()).map(GivenMarks::read).transpose()?;
+        let with_centers = measured.with_centers(solution);
+        let solution = with_centers.as_ref().unwrap_or(solution);
         let Subject { key: prepared, scheme, .. } = self.subject(None, solution, marks.as_ref())?;
         let key = prepared.key();
         let name = file_name(Path::new(path.file_name().unwrap_or_default()), path);
@@ -178,12 +185,14 @@ impl Check {
     /// Checks the forms of a folder, all of one scene, and writes their table.
     fn class(&self, folder: &Path, solution: &Solution) -> Result<(), Failure> {
         let marks = self.marks.as_deref().map(GivenMarks::read).transpose()?;
-        let subject = self.subject(None, solution, marks.as_ref())?;
         let report = self.report()?;
-        show_warnings(solution);
         let others: Vec<PathBuf> = self.marks.iter().chain([&self.scene, &report.0]).cloned().collect();
         let form = |path: PathBuf| Form { file: file_name(&path, folder), path, exercise: Ok(0) };
         let forms: Vec<Form> = forms(folder, false, &others)?.into_iter().map(form).collect();
+        let with_centers = with_centers(solution, &forms);
+        let solution = with_centers.as_ref().unwrap_or(solution);
+        let subject = self.subject(None, solution, marks.as_ref())?;
+        show_warnings(solution);
         let pages = self.feedback.pages(forms.iter().map(|form| form.file.for_comparing()))?;
         self.write_report(folder, report, &forms, &[Ok(subject)], pages)
     }
@@ -318,6 +327,19 @@ impl Check {
         let hand = self.hand.is_given().then(|| self.hand.tolerance());
         AnswerKey { depth: usize::from(self.depth), ..AnswerKey::new(solution, hand) }
     }
+}
+
+/// The solution with the instant centres that any of these forms names; none where the figure has them, or no form names one.
+fn with_centers(solution: &Solution, forms: &[Form]) -> Option<Solution> {
+    let names_center = |form: &&Form| fs::read(&form.path).is_ok_and(|text| text.windows(2).any(|two| two == b"P("));
+    let named = || forms.iter().filter(names_center).filter_map(|form| measured(&form.path).ok());
+    let values = || named().flat_map(|measured| measured.values).collect();
+    solution
+        .construction
+        .centers
+        .is_none()
+        .then(|| Measured { values: values(), ..Measured::default() })?
+        .with_centers(solution)
 }
 
 /// A marking scheme as it was read.

@@ -97,7 +97,8 @@ impl Range {
     fn driven_scene(&self) -> Result<DrivenScene, Failure> {
         let source = files::read(&self.scene)?;
         let (scene, mechanism, pose) = read(&source, SizeLimit::NUMBERS, self.mode.number)?;
-        mechanism.warnings.iter().chain(&pose.warnings).for_each(|warning| warn(&warning.to_string()));
+        let language = Wording::of(&scene.figure).language;
+        mechanism.warnings.iter().chain(&pose.warnings).for_each(|warning| warn(&language.says(warning)));
         let drive = source.checked(Drive::new(&mechanism, self.drive.as_deref()))?;
         let mechanism = if self.alone { alone(&mechanism, &drive.name) } else { mechanism };
         let names = split_names(&self.want);

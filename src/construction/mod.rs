@@ -70,7 +70,9 @@ mod writer;
 pub use constructed::{Agreement, Construction, Extent};
 pub use cut::{Course, CutLine, Special, SpecialId, Term};
 pub(crate) use enclosed::Truth;
-pub use kennedy::{Center, CenterId, CenterLine, CenterOrigin, CenterVelocity, Centers, CurvatureStep, FigureOf, Spot};
+pub use kennedy::{
+    Center, CenterId, CenterLine, CenterOrigin, CenterVelocity, Centers, CurvatureStep, FigureOf, Inflection, Spot,
+};
 pub use lever::{Lever, LeverForce, LeverStep};
 pub use markup::{Formula, FormulaTerm, Known, display, shown_text};
 pub(crate) use markup::{plain_text, rate_symbol};
@@ -78,7 +80,8 @@ pub(crate) use name::point_on;
 pub use name::{coincident_name, image_name, normal_name};
 pub use number::{End, Equation, NumberId, NumberKind, Product, ProductKind, Rate};
 pub use operation::{
-    Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, Reference, StepId,
+    Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, Reference, Ruled, RuledEnd,
+    StepId,
 };
 pub use passage::{Aim, Passage};
 pub use polygon::{

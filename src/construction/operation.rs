@@ -121,6 +121,22 @@ pub enum OperationKind {
         /// The lines.
         lines: [LineId; 2],
     },
+    /// Marks where two lines cross of which the construction need not have either: done only by mistake.
+    Meet {
+        /// The place made.
+        place: PlaceId,
+        /// The lines.
+        lines: [Ruled; 2],
+    },
+    /// Marks a place of a line, the nearest to a given one: done only by mistake.
+    OnLine {
+        /// The place made.
+        place: PlaceId,
+        /// The line.
+        line: Ruled,
+        /// The given place, in units of the sheet.
+        near: Vector,
+    },
     /// Divides the line between two places as a point of a link divides the line between two others.
     Divide {
         /// The place made.
@@ -152,6 +168,13 @@ pub enum OperationKind {
         /// The measured quantity.
         how: MeasuredAs,
     },
+    /// Reads the direction of a line: in degrees from +x, within ±90, as a line has no sense.
+    ReadDirection {
+        /// The number made.
+        number: NumberId,
+        /// The direction.
+        along: Along,
+    },
     /// Takes a number from the scene.
     Take {
         /// The number made.
@@ -173,6 +196,26 @@ pub enum OperationKind {
         /// As many equations as unknowns, at most four.
         equations: Vec<Equation>,
     },
+}
+
+/// A line that somebody rules by mistake.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ruled {
+    /// One that is drawn.
+    Line(LineId),
+    /// One through two ends, of which one may be at infinity.
+    Through([RuledEnd; 2]),
+}
+
+/// What a line runs through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RuledEnd {
+    /// A place of the sheet.
+    Place(PlaceId),
+    /// A place that the construction does not mark, in units of the sheet.
+    At(Vector),
+    /// A point at infinity.
+    Towards(Along),
 }
 
 /// A direction relative to a line on a sheet or to the scene's axes.
@@ -227,6 +270,13 @@ pub enum ErrorUnit {
     Direction,
 }
 
+impl Ruled {
+    /// Whether it is drawn in a direction, not between two places.
+    pub(super) fn is_drawn_along(self) -> bool {
+        matches!(self, Ruled::Through(ends) if ends.iter().any(|end| matches!(end, RuledEnd::Towards(_))))
+    }
+}
+
 impl Along {
     /// The direction of a line.
     #[must_use]
@@ -265,8 +315,13 @@ impl OperationKind {
     pub fn errors(&self) -> &'static [ErrorUnit] {
         match self {
             // Along x and y.
-            OperationKind::Plot { .. } | OperationKind::Cross { .. } => &[ErrorUnit::Length, ErrorUnit::Length],
-            OperationKind::Draw { .. } => &[ErrorUnit::Direction],
+            OperationKind::Plot { .. } | OperationKind::Cross { .. } | OperationKind::Meet { .. } => {
+                &[ErrorUnit::Length, ErrorUnit::Length]
+            }
+            // Along the line; then of the line.
+            OperationKind::OnLine { line, .. } if line.is_drawn_along() => &[ErrorUnit::Length, ErrorUnit::Direction],
+            OperationKind::OnLine { .. } => &[ErrorUnit::Length, ErrorUnit::Length],
+            OperationKind::Draw { .. } | OperationKind::ReadDirection { .. } => &[ErrorUnit::Direction],
             OperationKind::LayOff { .. } => &[ErrorUnit::Direction, ErrorUnit::Length],
             OperationKind::Measure { how: MeasuredAs::Direction, .. } => &[ErrorUnit::Direction],
             OperationKind::Divide { .. } | OperationKind::Measure { .. } => &[ErrorUnit::Length],
@@ -285,6 +340,8 @@ impl OperationKind {
             OperationKind::Pole { place, .. }
             | OperationKind::Plot { place, .. }
             | OperationKind::Cross { place, .. }
+            | OperationKind::Meet { place, .. }
+            | OperationKind::OnLine { place, .. }
             | OperationKind::Divide { place, .. }
             | OperationKind::LayOff { place, .. } => Some(*place),
             _ => None,
@@ -305,6 +362,7 @@ impl OperationKind {
     pub fn numbers(&self) -> &[NumberId] {
         match self {
             OperationKind::Measure { number, .. }
+            | OperationKind::ReadDirection { number, .. }
             | OperationKind::Take { number, .. }
             | OperationKind::Compute { number, .. } => core::slice::from_ref(number),
             OperationKind::Solve { unknowns, .. } => unknowns,
@@ -323,6 +381,7 @@ impl OperationKind {
             OperationKind::Join { from, towards, .. } => (SmallVec::from_slice(&[*from, *towards]), SmallVec::new()),
             OperationKind::Draw { through, along, .. } => (SmallVec::from_slice(&[*through]), line(along)),
             OperationKind::Cross { lines, .. } => (SmallVec::new(), SmallVec::from_slice(lines)),
+            OperationKind::ReadDirection { along, .. } => (SmallVec::new(), line(along)),
             OperationKind::Divide { ends, like, .. } => (ends.iter().chain(like).copied().collect(), SmallVec::new()),
             OperationKind::LayOff { from, along, .. } => (SmallVec::from_slice(&[*from]), line(along)),
             OperationKind::Measure { from, to, how, .. } => {

@@ -90,7 +90,7 @@ impl Construction {
                     | Action::Center(_)
                     | Action::VelocityByCenters(_)
                     | Action::Lever(LeverStep::Effort(_))
-                    | Action::Curvature { step: CurvatureStep::Center, .. }
+                    | Action::Curvature { step: CurvatureStep::Center | CurvatureStep::InflectionPole, .. }
             );
             polygon = step.action.polygon();
             present = Some((step.sheet, group, was_reached || reached));

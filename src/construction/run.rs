@@ -1,8 +1,10 @@
 //! Carries out operations, in f64 with a hand's errors and mistakes, or with bounds of the rounding errors.
 
 use super::number::{Equation, NumberId, Product};
-use super::operation::{Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, PlaceId, Reference};
-use crate::geometry::{Ball, Number, Pair, Vector, degrees_of, turn_of_degrees};
+use super::operation::{
+    Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, PlaceId, Reference, Ruled, RuledEnd,
+};
+use crate::geometry::{Ball, Number, Pair, Vector, degrees_of, turn_of_degrees, without_sense};
 use crate::sheet::PerSheet;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -96,6 +98,13 @@ impl Values {
     pub fn line(&self, id: LineId) -> (Vector, Vector) {
         let (place, along) = self.lines[id.0];
         (Vector::new(place.x, place.y), Vector::new(along.x, along.y))
+    }
+
+    /// A direction, of length 1.
+    #[must_use]
+    pub fn along(&self, along: &Along) -> Vector {
+        let Pair { x, y } = self.direction(along, 0.0);
+        Vector::new(x, y)
     }
 
     /// A number, in the scene's units; angles in degrees, rates in rad.
@@ -196,10 +205,19 @@ impl<S: Drawable> Values<S> {
                 self.lines[line.0] = (self.places[through.0], self.direction(along, errors[0]));
             }
             OperationKind::Cross { place, lines } => {
-                let [(p, d), (q, e)] = lines.map(|LineId(line)| self.lines[line]);
-                // A place p + t d of the first line is on the second, through q along e: t = ((q − p) × e) / (d × e).
-                let t = (q - p).cross(e) / d.cross(e);
-                self.places[place.0] = displaced(p + d * t, offset);
+                let lines = lines.map(|LineId(line)| self.lines[line]);
+                self.places[place.0] = displaced(crossing(lines), offset);
+            }
+            OperationKind::Meet { place, lines } => {
+                self.places[place.0] = displaced(crossing(lines.map(|line| self.ruled(line))), offset);
+            }
+            OperationKind::OnLine { place, line, near } => {
+                let (through, along) = self.ruled(*line);
+                let (turn, aside) = if line.is_drawn_along() { (errors[1], 0.0) } else { (0.0, offset.y) };
+                let turn = turn_of_degrees(turn);
+                let along = Pair { x: S::from(turn.re), y: S::from(turn.im) }.turn(along);
+                let size = increased((pair(*near) - through).dot(along), offset.x);
+                self.places[place.0] = through + along * size + along.quarter_turn() * S::from(aside);
             }
             OperationKind::Divide { place, ends, like } => {
                 let [from, to] = ends.map(|PlaceId(end)| self.places[end]);
@@ -217,6 +235,11 @@ impl<S: Drawable> Values<S> {
             OperationKind::Measure { number, from, to, how } => {
                 self.numbers[number.0] = self.measured(*from, *to, *how, errors[0], per_mm);
             }
+            OperationKind::ReadDirection { number, along } => {
+                let Pair { x, y } = self.direction(along, 0.0);
+                let degrees = degrees_of(Vector::new(x.rounded(), y.rounded())) + errors[0];
+                self.numbers[number.0] = S::from(without_sense(degrees, 0.0));
+            }
             OperationKind::Take { number, value } => self.numbers[number.0] = S::from(*value),
             OperationKind::Compute { number, sum } => self.numbers[number.0] = self.sum(sum),
             OperationKind::Solve { unknowns, equations } => {
@@ -225,6 +248,25 @@ impl<S: Drawable> Values<S> {
                     self.numbers[number.0] = rates.get(index).copied().unwrap_or(S::from(f64::NAN));
                 }
             }
+        }
+    }
+
+    /// A place of a line that is ruled by mistake, and its unit direction; not finite where both ends are at infinity.
+    fn ruled(&self, line: Ruled) -> (Pair<S>, Pair<S>) {
+        let ends = match line {
+            Ruled::Line(LineId(line)) => return self.lines[line],
+            Ruled::Through(ends) => ends,
+        };
+        let place = |end: RuledEnd| match end {
+            RuledEnd::Place(PlaceId(place)) => self.places[place],
+            RuledEnd::At(at) => Pair { x: S::from(at.x), y: S::from(at.y) },
+            RuledEnd::Towards(_) => Pair { x: S::from(f64::NAN), y: S::from(f64::NAN) },
+        };
+        match ends {
+            [RuledEnd::Towards(along), end] | [end, RuledEnd::Towards(along)] => {
+                (place(end), self.direction(&along, 0.0))
+            }
+            [from, towards] => (place(from), unit(place(towards) - place(from))),
         }
     }
 
@@ -316,6 +358,11 @@ impl<S: Drawable> Values<S> {
         row[RIGHT] = self.sum(&equation.right);
         row
     }
+}
+
+/// Where two lines cross: a place p + t d of the first is on the second, through q along e, for t = ((q − p) × e) / (d × e).
+fn crossing<S: Drawable>([(p, d), (q, e)]: [(Pair<S>, Pair<S>); 2]) -> Pair<S> {
+    p + d * ((q - p).cross(e) / d.cross(e))
 }
 
 /// Column of the right side, after the coefficients of at most four unknowns.

@@ -143,7 +143,8 @@ fn with_centers(
     };
     let points = |names: &[String]| -> Vec<PointId> { names.iter().filter_map(|name| mechanism.point(name)).collect() };
     let mut writer = Writer::continued(mechanism, pose, motion, construction);
-    writer.centers(&wanted, &points(&figure.velocities), &points(&figure.curvature));
+    let inflected: Vec<BodyId> = figure.inflection.iter().filter_map(|link| mechanism.link(link)).collect();
+    writer.centers(&wanted, &points(&figure.velocities), &points(&figure.curvature), &inflected);
     writer.construction.by_hand = drawn_by_hand(figure);
     writer.construction
 }

@@ -128,7 +128,7 @@ pub enum Action {
     },
     /// Lay off the velocity of a point, normal to its ray from the centre of its link: index among the velocities by centres.
     VelocityByCenters(usize),
-    /// Draw what leads to the centre of curvature of a path: index among the pole tangents, or among the centres of curvature.
+    /// Draw what leads to the centre of curvature of a path: index among the pole tangents, among the centres of curvature, or among the inflection poles.
     Curvature {
         /// The index.
         index: usize,
@@ -195,11 +195,18 @@ impl NumberedStep<'_> {
                 let velocity = self.centers.and_then(|centers| centers.velocities.get(*index));
                 velocity.map_or_else(Vec::new, |velocity| velocity.names.clone())
             }
+            Action::Curvature { index, step } => {
+                let inflection = self.centers.and_then(|centers| centers.inflections.get(*index));
+                match (step, inflection) {
+                    (CurvatureStep::InflectionPoint, Some(inflection)) => inflection.measured.clone(),
+                    (CurvatureStep::InflectionPole, Some(inflection)) => inflection.found.clone(),
+                    _ => Vec::new(),
+                }
+            }
             Action::PermanentCenters
             | Action::CenterLine { .. }
             | Action::LeaveOut { .. }
-            | Action::CentersByRates(_)
-            | Action::Curvature { .. } => Vec::new(),
+            | Action::CentersByRates(_) => Vec::new(),
             Action::Force(step) => self.forces.map_or_else(Vec::new, |plan| plan.names(step)),
             Action::Lever(step) => {
                 let (LeverStep::Turn(index) | LeverStep::Arm(index, _) | LeverStep::Effort(index)) = *step;

@@ -324,6 +324,13 @@ impl<'a> Writer<'a> {
         number
     }
 
+    /// Reads the direction of a line.
+    pub(crate) fn read_direction(&mut self, sheet: Sheet, kind: NumberKind, along: Along) -> NumberId {
+        let number = self.new_number(kind);
+        self.push(sheet, OperationRole::Number, OperationKind::ReadDirection { number, along });
+        number
+    }
+
     /// Takes a number of the scene, or with `by_hand` false one of the computed motion; none for zero.
     pub(super) fn take(
         &mut self,

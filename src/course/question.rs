@@ -78,7 +78,12 @@ impl Question {
         Ok(Question {
             name: name.to_owned(),
             listed: listed.to_owned(),
-            title: exercise.solution.scene.title.clone().unwrap_or_else(|| words.language.title().into()),
+            title: exercise
+                .solution
+                .scene
+                .title
+                .clone()
+                .unwrap_or_else(|| words.title_of(&exercise.solution.scene.figure).as_str().into()),
             words,
             told: told.map(|text| html_text(&text)).collect(),
             scheme: picture(&exercise.sheet),

@@ -42,7 +42,8 @@ pub(super) fn extent(context: &SheetContext<'_>) -> Extent {
     let own = own.with_all(tips.map(|tip| Extent::of([tip])));
     let crossings = centers.tangents.iter().map(|tangent| tangent.crossing);
     let curved = centers.curvatures.iter().flat_map(|found| [found.crossing, found.center]);
-    let all = places(centers).map(|(_, place)| place).chain(crossings).chain(curved);
+    let inflected = centers.inflections.iter().flat_map(|found| [found.point, found.pole]);
+    let all = places(centers).map(|(_, place)| place).chain(crossings).chain(curved).chain(inflected);
     let mut near: Vec<geometry::Point> = all.filter_map(|place| place.finite()).collect();
     let size = |place: &geometry::Point| own.with(*place).size().norm();
     near.sort_by(|a, b| size(a).total_cmp(&size(b)));
@@ -73,6 +74,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     panel.far(canvas);
     panel.guides(canvas);
     panel.curvatures(canvas);
+    panel.inflections(canvas);
     panel.velocities(canvas);
     diagram::draw(&panel, canvas);
     canvas.step = 0;
@@ -104,6 +106,8 @@ struct CenterSteps {
     tangents: Vec<[u16; 2]>,
     /// By centre of curvature: of the axis and of the centre.
     curvatures: Vec<[u16; 2]>,
+    /// By inflection pole: of the point on the ray and of the pole.
+    inflections: Vec<[u16; 2]>,
 }
 
 impl CenterSteps {
@@ -116,6 +120,7 @@ impl CenterSteps {
             velocities: vec![0; centers.velocities.len()],
             tangents: vec![[0; 2]; centers.tangents.len()],
             curvatures: vec![[0; 2]; centers.curvatures.len()],
+            inflections: vec![[0; 2]; centers.inflections.len()],
         };
         for step in context.construction().numbered_steps().filter(|step| step.sheet == Sheet::Centers) {
             let number = step.number as u16;
@@ -138,6 +143,8 @@ impl CenterSteps {
                     CurvatureStep::Tangent => steps.tangents[*index][1] = number,
                     CurvatureStep::OwnAxis => steps.curvatures[*index][0] = number,
                     CurvatureStep::Center => steps.curvatures[*index][1] = number,
+                    CurvatureStep::InflectionPoint => steps.inflections[*index][0] = number,
+                    CurvatureStep::InflectionPole => steps.inflections[*index][1] = number,
                 },
                 _ => {}
             }

@@ -172,7 +172,7 @@ impl<'a> SheetContext<'a> {
     }
 
     pub(super) fn title(&self) -> Untrusted {
-        self.solution.scene.title.clone().unwrap_or_else(|| self.words.language.title().into())
+        self.solution.scene.title.clone().unwrap_or_else(|| self.words.title_of(self.figure()).as_str().into())
     }
 
     /// Whether the scene takes a name's label from the figure.

@@ -129,8 +129,12 @@ fn remove_entries(
 ) -> Result<(), SceneError> {
     let scene = document.json();
     let list = path.iter().fold(&scene, |around, key| &around[*key]);
-    let entries = list.as_array().into_iter().flatten().enumerate();
-    let gone: Vec<String> = entries.filter(|(_, entry)| is_gone(entry)).map(|(index, _)| index.to_string()).collect();
+    let entries = || list.as_array().into_iter().flatten().enumerate();
+    let gone: Vec<String> = entries().filter(|(_, entry)| is_gone(entry)).map(|(index, _)| index.to_string()).collect();
+    // An empty list in the figure would ask for nothing, where the key left out asks for what is usual.
+    if path.len() > 1 && !gone.is_empty() && gone.len() == entries().count() {
+        return document.remove(path);
+    }
     gone.iter().rev().try_for_each(|index| document.remove(&[path, &[index]].concat()))
 }
 

@@ -4,7 +4,7 @@ use super::judge::Refusal;
 use crate::check::BANDS;
 use crate::construction::{CenterId, CenterOrigin, Construction, Solution, Spot};
 use crate::drawing::{KeyRow, shows_centers};
-use crate::geometry::Place;
+use crate::geometry::{Place, span};
 use crate::quantity::{QuantityRequest, What};
 use crate::sheet::{Scales, Sheet};
 
@@ -14,6 +14,12 @@ const APART: f64 = 6.0;
 const SHORTEST: f64 = 15.0;
 /// Largest band of a centre's coordinate, in mm of paper.
 const BAND: f64 = 2.0;
+/// Largest band of the direction of one at infinity, in degrees.
+const DIRECTION: f64 = 2.0;
+/// Largest band of an inflection pole's coordinate, in parts of the diameter.
+const OF_DIAMETER: f64 = 0.15;
+/// Largest diameter of an inflection circle, in sizes of the mechanism.
+const LARGEST: f64 = 1.2;
 
 /// Whether lines lead to all centres that are wanted, and to those of the motion.
 pub(super) fn are_constructed(construction: &Construction) -> Result<(), Refusal> {
@@ -43,6 +49,10 @@ pub(super) fn are_clear(solution: &Solution, scales: &Scales) -> Result<(), Refu
     if !shows_centers(solution) {
         return Err(Refusal::CenterFar);
     }
+    let size = span(solution.pose.points.iter().copied());
+    if centers.inflections.iter().any(|found| found.diameter > LARGEST * size) {
+        return Err(Refusal::CenterFar);
+    }
     let places = || {
         centers.all.iter().filter_map(|center| match (center.spot, center.place) {
             (Spot::At(id), Place::At(place)) => Some((id, place)),
@@ -69,8 +79,18 @@ pub(super) fn are_clear(solution: &Solution, scales: &Scales) -> Result<(), Refu
 /// Whether a hand finds the places of all centres well.
 pub(super) fn are_sure(rows: &[KeyRow<'_>], scales: &Scales) -> Result<(), Refusal> {
     let mut places = rows.iter().filter(|row| matches!(row.asked.what, What::Pole(_)));
-    let most = scales[Sheet::Centers].map_or(0.0, |mu| BANDS * BAND * mu);
-    match places.all(|row| row.allowed.is_some_and(|allowed| allowed <= most)) {
+    let most = scales[Sheet::Centers].map_or(0.0, |mu| BAND * mu);
+    let diameters = rows.iter().filter(|row| matches!(row.asked.what, What::InflectionDiameter(_)));
+    let diameter = diameters.map(|row| row.value).fold(f64::INFINITY, f64::min);
+    let most_of = |row: &KeyRow<'_>| {
+        BANDS
+            * match &row.asked.what {
+                What::Pole(pole) if pole.of.pair().is_none() => most.max(OF_DIAMETER * diameter),
+                _ if row.asked.is_line() => DIRECTION,
+                _ => most,
+            }
+    };
+    match places.all(|row| row.allowed.is_some_and(|allowed| allowed <= most_of(row))) {
         true => Ok(()),
         false => Err(Refusal::CenterUnsure),
     }

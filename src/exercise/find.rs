@@ -4,6 +4,7 @@ use super::forces;
 use super::judge::{Exercise, Refusal, key_page};
 use super::says;
 use super::vary::{OnGuide, length_step, varied};
+use crate::check::form_names;
 use crate::construction::Solution;
 use crate::editing::measure::json as json_number;
 use crate::geometry::Random;
@@ -39,6 +40,8 @@ const FEW: usize = 6;
 pub enum ExerciseError {
     /// The scene's plans cannot be constructed.
     NoConstruction,
+    /// Its figure of instant centres shows permanent ones alone, which nobody has to find.
+    NothingToFind,
     /// No variant was an exercise.
     GaveUp {
         /// How many were tried.
@@ -51,11 +54,22 @@ pub enum ExerciseError {
 }
 
 impl ExerciseError {
+    /// Refuses a figure of instant centres on which a hand finds nothing.
+    ///
+    /// # Errors
+    /// It finds nothing.
+    pub fn refuse_nothing(solution: &Solution) -> Result<(), ExerciseError> {
+        let construction = &solution.construction;
+        let is_nothing = construction.centers.is_some() && form_names(construction).is_empty();
+        if is_nothing { Err(ExerciseError::NothingToFind) } else { Ok(()) }
+    }
+
     /// What it says.
     #[must_use]
     pub fn message(&self) -> Message {
         match self {
             ExerciseError::NoConstruction => says::no_construction(),
+            ExerciseError::NothingToFind => says::nothing_to_find(),
             ExerciseError::GaveUp { tries, most, percent } => says::gave_up(*tries, *percent, most.message()),
         }
     }
@@ -89,6 +103,7 @@ impl Exercises {
         if construction.draws_plans() && has_no_plans {
             return Err(ExerciseError::NoConstruction);
         }
+        ExerciseError::refuse_nothing(solution)?;
         let base = serde_json::from_str(scene.text().trim_start_matches('\u{feff}'));
         let base: Value = base.expect("a scene is JSON");
         let is_page_open = page.is_none() && base["figure"]["page"].is_null();
@@ -205,6 +220,8 @@ impl Exercises {
             panels: asked.panels,
             centers: asked.centers,
             velocities: asked.velocities,
+            curvature: asked.curvature,
+            inflection: asked.inflection,
             mu: found.scales,
             ..Figure::default()
         };

@@ -229,6 +229,8 @@ impl Exercise {
 fn for_students(solution: &Solution, page: Page) -> Solution {
     let mut students = solution.clone();
     let figure = &mut students.scene.figure;
+    // What is to be found is not shown.
+    figure.inflection.clear();
     (figure.page, figure.worksheet) = (page, false);
     students
 }

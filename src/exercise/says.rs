@@ -4,6 +4,7 @@ use crate::message::messages;
 
 messages! { "exercise":
     no_construction;
+    nothing_to_find;
     gave_up(tries, percent, most);
     numbers;
     assembly;

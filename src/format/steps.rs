@@ -1,10 +1,11 @@
 use crate::construction::{
-    Action, ForceStep, NOTHING, NumberedStep, Solution, Teller, Tolerance, plain_text, shown_text,
+    Action, CurvatureStep, ForceStep, NOTHING, NumberedStep, Solution, Teller, Tolerance, display, plain_text,
+    shown_text,
 };
 use crate::drawing::drawn_vector;
 use crate::geometry::{Vector, degrees_of};
-use crate::quantity::{Pencil, Unread};
-use crate::scene::{QuantityName, Units};
+use crate::quantity::{Pencil, QuantityRequest, Unread};
+use crate::scene::{Head, QuantityName, Units};
 use crate::sheet::{QuantityKind, Scales, Sheet};
 use crate::words::{NumberStyle, Wording};
 use std::fmt::Write;
@@ -28,7 +29,8 @@ impl Solution {
         let language = words.language;
         let teller = Teller::shown(self, &words);
         let style = SEVEN_DIGITS;
-        let mut list = StepList { text: String::new(), units: scene.units, words: &words, teller, pencil, style };
+        let mut list =
+            StepList { text: String::new(), solution: self, units: scene.units, words: &words, teller, pencil, style };
         if let Some(title) = scene.title.as_ref().filter(|title| !title.is_blank()) {
             list.line(&title.for_terminal());
         }
@@ -61,6 +63,11 @@ impl Solution {
             let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
             list.heading(&language.curvatures_differ(&difference, &allowed));
         }
+        let inflections = construction.centers.iter().flat_map(|centers| &centers.inflections);
+        for agreement in inflections.filter_map(|found| found.agreement) {
+            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            list.heading(&language.inflections_differ(&difference, &allowed));
+        }
         list.text
     }
 }
@@ -73,12 +80,14 @@ pub fn step_values(solution: &Solution) -> Vec<Vec<String>> {
     let teller = Teller::shown(solution, &words);
     let none = Pencil { tolerance: Tolerance::default(), scales: Scales::default(), quantities: Vec::new() };
     let units = solution.scene.units;
-    let list = StepList { text: String::new(), units, words: &words, teller, pencil: &none, style: FOUR_DIGITS };
+    let list =
+        StepList { text: String::new(), solution, units, words: &words, teller, pencil: &none, style: FOUR_DIGITS };
     solution.shown_construction().numbered_steps().map(|step| list.details(&step)).collect()
 }
 
 struct StepList<'a> {
     text: String,
+    solution: &'a Solution,
     /// Of values.
     style: NumberStyle,
     units: Units,
@@ -149,24 +158,57 @@ impl StepList<'_> {
         });
         let rough = if band.is_rough { self.words.language.only_roughly() } else { "" };
         format!(
-            "; ± {} {unit}{}{rough}",
+            "; ± {}{}{unit}{}{rough}",
             self.words.write(band.band, NumberStyle::significant(2)),
+            if unit == "°" { "" } else { " " },
             on_paper.unwrap_or_default()
         )
     }
 
-    /// A quantity that hands read, with its value and its band.
-    fn read(&self, name: &str) -> Option<String> {
-        let band = self.pencil.band(name)?;
-        let kind = QuantityName::parse(name)?.kind();
+    /// A force or a moment that hands find, with its value and its band.
+    fn force(&self, name: &str) -> Option<String> {
+        let Solution { mechanism, construction, .. } = self.solution;
+        let asked = QuantityRequest::new(name, mechanism).ok()?;
+        let value = asked.value(&self.solution.snapshot(), Some(construction), None).ok()?.as_number();
+        let symbol = shown_text(&asked.symbol(mechanism, &self.words.notation, &display), None, self.words);
+        let unit = asked.kind().unit(self.units);
+        Some(format!("{symbol} = {} {unit}{}", self.digits(value), self.band(name, &unit, None)))
+    }
+
+    /// The lines of a step of the force plan or a lever: its equation with the value, and what else it finds.
+    fn of_forces(&self, step: &NumberedStep<'_>, equation: String) -> Vec<String> {
+        let names = step.names();
+        if let Action::Force(ForceStep::Cross(..)) = step.action {
+            let sizes = names.iter().filter(|name| !name.ends_with(".angle"));
+            return [equation].into_iter().chain(sizes.filter_map(|name| self.force(name))).collect();
+        }
+        let Some((value, kind)) = self.teller.value_of_step(step.action) else { return vec![equation] };
         let unit = kind.unit(self.units);
-        let separator = if kind == QuantityKind::Angle { "" } else { " " };
-        Some(format!("{name} = {}{separator}{unit}{}", self.digits(band.value), self.band(name, &unit, None)))
+        let is_it = |name: &&String| QuantityName::parse(name).is_some_and(|name| name.kind() == kind);
+        let band = names.iter().find(is_it).map_or_else(String::new, |name| self.band(name, &unit, None));
+        let first = format!("{equation} = {} {unit}{band}", self.digits(value));
+        let further = names.iter().filter(|name| !is_it(name)).filter_map(|name| self.force(name));
+        [first].into_iter().chain(further).collect()
     }
 
     /// The band of a plan's segment.
     fn segment_band(&self, sheet: Sheet, from: &str, to: &str) -> String {
         self.band(&sheet.segment_name(from, to), &self.unit(sheet), self.pencil.scales[sheet])
+    }
+
+    /// A number that is read off the sheet of centres, with its band: a coordinate, a distance, a direction.
+    fn read(&self, name: &str, sheet: Sheet) -> Option<String> {
+        let Solution { mechanism, construction, .. } = self.solution;
+        let asked = QuantityRequest::new(name, mechanism).ok()?;
+        let value = asked.value(&self.solution.snapshot(), Some(construction), None).ok()?.as_number();
+        let symbol = shown_text(&asked.symbol(mechanism, &self.words.notation, &display), None, self.words);
+        Some(match asked.kind() {
+            QuantityKind::Angle => format!("{symbol} = {}°{}", self.degrees(value), self.band(name, "°", None)),
+            _ => {
+                let band = self.band(name, &self.unit(sheet), self.pencil.scales[sheet]);
+                format!("{symbol} = {}{band}", self.measure(value, sheet))
+            }
+        })
     }
 
     /// A value with its unit and its length on paper.
@@ -259,7 +301,13 @@ impl StepList<'_> {
             }
             Action::Center(id) => {
                 let sine = self.teller.sine_of_center(*id).filter(|sine| *sine > 0.0);
-                std::iter::once(equation).chain(sine.map(|sine| self.crossing(sine))).collect()
+                let first = std::iter::once(equation).chain(sine.map(|sine| self.crossing(sine)));
+                first.chain(step.names().iter().filter_map(|name| self.read(name, sheet))).collect()
+            }
+            Action::Curvature { step: CurvatureStep::InflectionPoint | CurvatureStep::InflectionPole, .. } => {
+                let read = step.names();
+                let read = read.iter().filter_map(|name| self.read(name, sheet));
+                [equation].into_iter().filter(|line| !line.is_empty()).chain(read).collect()
             }
             Action::RateByCenters { .. }
             | Action::RateBySlide { .. }
@@ -277,22 +325,23 @@ impl StepList<'_> {
                 if equation.is_empty() {
                     return Vec::new();
                 }
-                if let Action::Force(ForceStep::Cross(..)) = step.action {
-                    return [equation]
-                        .into_iter()
-                        .chain(step.names().iter().filter_map(|name| self.read(name)))
-                        .collect();
+                if matches!(step.action, Action::Force(_) | Action::Lever(_)) {
+                    return self.of_forces(step, equation);
                 }
+                let names = step.names();
+                // The distances that are measured for it come before it, the direction of a velocity after it.
+                let is_length = |name: &&String| {
+                    QuantityName::parse(name).is_some_and(|name| matches!(name.head, Head::Between(_)))
+                };
+                let (measured, found): (Vec<&String>, Vec<&String>) = names.iter().partition(is_length);
                 let value = self.teller.value_of_step(step.action).map(|(value, kind)| {
                     let unit = kind.unit(self.units);
-                    let is_force = matches!(step.action, Action::Force(_) | Action::Lever(_));
-                    let is_it =
-                        |name: &String| is_force && QuantityName::parse(name).map(|name| name.kind()) == Some(kind);
-                    let name = step.names().into_iter().find(is_it);
-                    let band = name.map_or_else(String::new, |name| self.band(&name, &unit, None));
+                    let band = found.first().map_or_else(String::new, |name| self.band(name, &unit, None));
                     format!(" = {} {unit}{band}", self.digits(value))
                 });
-                vec![equation + &value.unwrap_or_default()]
+                let further = found.iter().skip(1).filter_map(|name| self.read(name, sheet));
+                let measured = measured.iter().filter_map(|name| self.read(name, sheet));
+                measured.chain([equation + &value.unwrap_or_default()]).chain(further).collect()
             }
             // Other steps have neither equation nor value.
             _ => Vec::new(),

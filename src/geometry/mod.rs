@@ -166,3 +166,9 @@ pub fn degrees_of(v: Vector) -> f64 {
 pub fn with_turns(degrees: f64, other: f64) -> f64 {
     degrees + 360.0 * libm::round((other - degrees) / 360.0)
 }
+
+/// The same of a line, which has no sense: with half turns added.
+#[must_use]
+pub fn without_sense(degrees: f64, other: f64) -> f64 {
+    degrees + 180.0 * libm::round((other - degrees) / 180.0)
+}

@@ -3,7 +3,7 @@
 use super::name::{QuantityError, QuantityRequest, step_names};
 use super::reading::{Reading, Sense, Unread, read_by_hand};
 use crate::construction::{Change, Construction, Disturbance, NumberId, Operation, Solution, Tolerance, Values};
-use crate::geometry::with_turns;
+use crate::geometry::{with_turns, without_sense};
 use crate::sheet::{PerSheet, Scales};
 use std::collections::BTreeSet;
 
@@ -273,6 +273,10 @@ impl Reading {
     #[must_use]
     pub fn difference(&self, values: &Values, signed: f64) -> f64 {
         let difference = values.number(self.number) - signed;
-        if self.sense == Sense::Angle { with_turns(difference, 0.0) } else { difference }
+        match self.sense {
+            Sense::Angle => with_turns(difference, 0.0),
+            Sense::Line => without_sense(difference, 0.0),
+            _ => difference,
+        }
     }
 }

@@ -97,6 +97,15 @@ impl Solution {
 }
 
 impl PoleOf {
+    /// The two links of an instant centre; `None` of another pole.
+    #[must_use]
+    pub fn pair(self) -> Option<LinkPair> {
+        match self {
+            PoleOf::Center(pair, _) => Some(pair),
+            _ => None,
+        }
+    }
+
     /// The link whose motion it belongs to; of a pair the first one.
     #[must_use]
     pub fn link(self) -> BodyId {

@@ -7,7 +7,7 @@ use crate::construction::{
     PlaceId, Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
-use crate::scene::{Component, QuantityName};
+use crate::scene::{Component, Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
@@ -32,6 +32,8 @@ pub enum Sense {
     Magnitude,
     /// The number is an angle, of period 360°.
     Angle,
+    /// The number is the direction of a line, an angle of period 180°.
+    Line,
     /// The number is the distance of two places, which is read as positive on the sheet.
     Distance,
 }
@@ -159,7 +161,11 @@ impl Reader<'_> {
             What::Length(a, b) => return self.length(name, a, b),
             What::Pole(pole) => return self.center(asked, pole),
             What::Force(of, _) => return self.force(asked, of),
-            What::InflectionDiameter(_) | What::PathRadius(_) => {
+            What::InflectionDiameter(_) => {
+                let number = self.measured(&NumberKind::Reading(name.to_owned())).ok_or(Unread::NotDrawn)?;
+                return Ok((number, Sense::Distance));
+            }
+            What::PathRadius(_) => {
                 return Err(Unread::NotDrawn);
             }
             What::Segment(order, _) if !self.draws(*order) => return Err(Unread::NoSheet(order.sheet())),
@@ -198,11 +204,12 @@ impl Reader<'_> {
         if self.draws(order) { Ok(()) } else { Err(Unread::NoSheet(order.sheet())) }
     }
 
-    /// A coordinate of an instant centre, measured from the origin of the scene.
+    /// A coordinate of an instant centre, measured from the origin of the scene; of one at infinity its direction.
     fn center(&mut self, asked: &QuantityRequest, pole: &Pole) -> Result<(NumberId, Sense), Unread> {
         let how = match asked.written.component {
             Some(Component::X) => MeasuredAs::X,
             Some(Component::Y) => MeasuredAs::Y,
+            Some(Component::Angle) => return self.direction_of_center(asked.name(), pole),
             _ => return Err(Unread::NotDrawn),
         };
         let place = self.place_of_center(pole)?;
@@ -213,6 +220,22 @@ impl Reader<'_> {
         Ok((self.measure(Sheet::Centers, asked.name(), [zero, place], how), Sense::Signed))
     }
 
+    /// The direction of a centre at infinity: that of the lines towards it.
+    fn direction_of_center(&mut self, name: &str, pole: &Pole) -> Result<(NumberId, Sense), Unread> {
+        let id = self.drawn_center(pole)?;
+        match self.writer.construction.center(id).map(|center| center.spot) {
+            Some(DrawnAt::Towards(along)) => Ok((self.read_direction(name, along), Sense::Line)),
+            _ => Err(Unread::NotDrawn),
+        }
+    }
+
+    /// Reads the direction of a line of the sheet of centres, as part of the step that gives the quantity `name`.
+    fn read_direction(&mut self, name: &str, along: Along) -> NumberId {
+        let number = self.writer.read_direction(Sheet::Centers, NumberKind::Reading(name.to_owned()), along);
+        self.put_in_step(Sheet::Centers, name);
+        number
+    }
+
     /// An instant centre that is drawn.
     fn drawn_center(&self, pole: &Pole) -> Result<CenterId, Unread> {
         let PoleOf::Center(pair, _) = pole.of else { return Err(Unread::NotDrawn) };
@@ -220,6 +243,10 @@ impl Reader<'_> {
     }
 
     fn place_of_center(&self, pole: &Pole) -> Result<PlaceId, Unread> {
+        if let PoleOf::Inflection(link) = pole.of {
+            let name = format!("{}({})", Head::InflectionPole.word(), self.writer.mechanism.body(link).name);
+            return self.writer.construction.place(Sheet::Centers, &name).ok_or(Unread::NotDrawn);
+        }
         let id = self.drawn_center(pole)?;
         match self.writer.construction.center(id).map(|center| center.spot) {
             Some(DrawnAt::At(place)) => Ok(place),
@@ -289,14 +316,19 @@ impl Reader<'_> {
         how: MeasuredAs,
     ) -> NumberId {
         let sheet = sheet.into();
+        let number = self.writer.measure(sheet, NumberKind::Reading(name.to_owned()), ends, how);
+        self.put_in_step(sheet, name);
+        number
+    }
+
+    /// Puts the last operation into the step of the sheet that gives the quantity `name`, if there is one.
+    fn put_in_step(&mut self, sheet: Sheet, name: &str) {
         let construction = &self.writer.construction;
         let steps = self.steps.get_or_insert_with(|| construction.steps_of_quantities());
         let step = steps.get(name).or_else(|| steps.get(QuantityName::of_direction(name)?)).copied();
-        let number = self.writer.measure(sheet, NumberKind::Reading(name.to_owned()), ends, how);
         if let Some(operation) = self.writer.construction.operations.last_mut() {
             operation.step = step.filter(|step| step.sheet == sheet);
         }
-        number
     }
 
     /// The vector of a place in a plan, relative to another place if there is one.

@@ -1,6 +1,7 @@
 use super::force_name::{ForceOf, LinePart, LoadOf};
 use super::name::{AccelerationPart, Pole, PoleOf, QuantityRequest, Spot, What};
 use crate::construction::{Construction, Rate};
+use crate::geometry::{with_turns, without_sense};
 use crate::mechanism::Mechanism;
 use crate::scene::Component;
 use crate::sheet::{Order, QuantityKind, Sheet};
@@ -80,7 +81,10 @@ impl QuantityRequest {
     #[must_use]
     pub fn sheet(&self) -> Sheet {
         match &self.what {
-            What::Pole(_) | What::Length(Spot::Pole(_), _) | What::Length(_, Spot::Pole(_)) => Sheet::Centers,
+            What::Pole(_)
+            | What::InflectionDiameter(_)
+            | What::Length(Spot::Pole(_), _)
+            | What::Length(_, Spot::Pole(_)) => Sheet::Centers,
             What::Force(ForceOf::Power(_), _) => Sheet::Lever,
             What::Force(..) => Sheet::Forces,
             _ => self.order().map_or(Sheet::Scheme, Order::sheet),
@@ -147,6 +151,22 @@ impl QuantityRequest {
     #[must_use]
     pub fn turns(&self) -> bool {
         matches!(self.kind(), QuantityKind::Angle | QuantityKind::AngularVelocity | QuantityKind::AngularAcceleration)
+    }
+
+    /// Whether it is the direction of a line, which has no sense: of a centre at infinity.
+    #[must_use]
+    pub fn is_line(&self) -> bool {
+        matches!(self.what, What::Pole(_)) && self.kind() == QuantityKind::Angle
+    }
+
+    /// A difference of two of its values: of angles the shorter way round.
+    #[must_use]
+    pub fn turned(&self, difference: f64) -> f64 {
+        match self.kind() {
+            QuantityKind::Angle if self.is_line() => without_sense(difference, 0.0),
+            QuantityKind::Angle => with_turns(difference, 0.0),
+            _ => difference,
+        }
     }
 
     /// Whether it is the velocity of a joint, ω of a link or v_r of a slider, whose zeros are dead centres.

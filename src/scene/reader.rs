@@ -58,7 +58,7 @@ impl de::Error for Refusal {
     fn invalid_length(found: usize, expected: &dyn Expected) -> Refusal {
         match expected.to_string() {
             expected if expected == TWO_NUMBERS => Why::Length(found).into(),
-            expected => Refusal::custom(format!("invalid length {found}, expected {expected}")),
+            expected => Why::Type(expected).into(),
         }
     }
 
@@ -137,6 +137,8 @@ impl<'de> Deserializer<'de> for Reader<'de> {
                 });
                 visitor.visit_map(Entries::new(entries))
             }
+            // What is made of an object is not made of a list of its values.
+            Json::Array(_) => Err(Why::Type((&visitor as &dyn Expected).to_string()).into()),
             _ => self.deserialize_any(visitor),
         }
     }

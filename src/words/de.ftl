@@ -112,6 +112,10 @@ pole_tangent = Die Polbahntangente t von Glied {$link} durch {$pole} ziehen: vom
 axis_of_point = Den Polstrahl von {$pole} nach {$point} ziehen und, von ihm aus, unter dem Winkel von der Tangente zum Polstrahl nach {$pin}, ihre Achse: sie trifft die Gerade durch {$point} und {$pin} in {$crossing}.
 center_of_curvature = Die Gerade von dort nach {$fixed} trifft den Polstrahl in {$center}, dem Krümmungsmittelpunkt der Bahn von {$point}.
 path_inflection = Die Gerade von dort nach {$fixed} ist parallel zum Polstrahl: die Bahn von {$point} hat einen Wendepunkt.
+inflection_point = Die Abstände von {$pin} nach {$pole} und nach {$fixed} messen. Auf dem Polstrahl, von {$pin} nach {$fixed} hin, durchläuft J einen Wendepunkt seiner Bahn (Euler und Savary).
+inflection_in_pin = {$fixed} liegt im Unendlichen: {$pin} selbst durchläuft einen Wendepunkt und ist J.
+inflection_pole = Die Normale zum Polstrahl in {$point} und die Normale zur Polbahntangente in {$pole} schneiden sich in {$found}, dem Wendepol: der Kreis über {$pole} {$found} ist der Wendekreis.
+inflections_differ = Die Wendepole aus diesen Geraden und aus der berechneten Bewegung unterscheiden sich um {$difference} von Durchmesser oder Getriebe; die Schnitte erlauben {$allowed}.
 curvatures_differ = Die Krümmungsmittelpunkte aus diesen Geraden und aus der berechneten Bewegung weichen um {$difference} von Radius oder Getriebe ab; die Schnitte erlauben {$allowed}.
 velocity_of_center = {$vector} antragen, die von {$center}: Glied {$link} dreht sich nicht.
 centers_differ = Die Pole aus diesen Geraden und aus der berechneten Bewegung unterscheiden sich um {$difference} der Größe des Getriebes; die Schnitte erlauben {$allowed}.
@@ -1347,6 +1351,7 @@ check-no_photograph = es gibt kein Foto
 ## Errors and warnings: exercise
 
 exercise-no_construction = ihre Pläne haben keine Konstruktion, die von Hand zu zeichnen wäre: ein Sonderpunkt liegt im Unendlichen, oder eine Gruppe ist von höherer Klasse als IV
+exercise-nothing_to_find = im Bild der Momentanpole ist nichts zu finden: die gezeigten Pole liegen in Gelenken und Führungen; nennen Sie andere in `figure.centers`, oder Punkte in `figure.velocities`
 exercise-gave_up = keine von {$tries} Varianten lässt sich gut von Hand zeichnen; am häufigsten ({$percent} %): {$most}
 exercise-numbers = die Zahlen passen nicht zusammen
 exercise-assembly = die Glieder erreichen einander nicht

@@ -118,6 +118,10 @@ pole_tangent = Draw the pole tangent t of link {$link} through {$pole}: from the
 axis_of_point = Draw the ray from {$pole} to {$point} and, from it, at the angle from the tangent to the ray to {$pin}, their axis: it meets the line of {$point} and {$pin} in {$crossing}.
 center_of_curvature = The line from there to {$fixed} marks {$center} on the ray, the centre of curvature of the path of {$point}.
 path_inflection = The line from there to {$fixed} is parallel to the ray: the path of {$point} has an inflection.
+inflection_point = Measure the distances of {$pin} from {$pole} and from {$fixed}. On the ray, from {$pin} towards {$fixed}, J passes an inflection of its path (Euler and Savary).
+inflection_in_pin = {$fixed} is at infinity: {$pin} itself passes an inflection, and is J.
+inflection_pole = The normal to the ray in {$point} and the normal to the pole tangent in {$pole} meet in {$found}, the inflection pole: the circle over {$pole} {$found} is the inflection circle.
+inflections_differ = The inflection poles from these lines and from the computed motion differ by {$difference} of diameter or mechanism; the crossings allow {$allowed}.
 curvatures_differ = The centres of curvature from these lines and from the computed motion differ by {$difference} of radius or mechanism; the crossings allow {$allowed}.
 velocity_of_center = Lay off {$vector}, that of {$center}: link {$link} does not turn.
 centers_differ = The centres from these lines and from the computed motion differ by {$difference} of the mechanism's size; the crossings allow {$allowed}.
@@ -1380,6 +1384,7 @@ check-no_photograph = there is no photograph
 ## Errors and warnings: exercise
 
 exercise-no_construction = its plans have no construction to be drawn by hand: a special point lies at infinity, or a group is of higher class than IV
+exercise-nothing_to_find = the figure of instant centres has nothing to find: the centres that it shows stand in pins and guides; name others in `figure.centers`, or points in `figure.velocities`
 exercise-gave_up = none of {$tries} variants can be drawn well by hand; most often ({$percent} %) {$most}
 exercise-numbers = the numbers do not fit together
 exercise-assembly = the links do not reach each other

@@ -110,6 +110,10 @@ pole_tangent = Trazar la tangente polar t del eslabón {$link} por {$pole}: desd
 axis_of_point = Trazar el rayo de {$pole} a {$point} y, desde él, con el ángulo que va de la tangente al rayo a {$pin}, el eje de ambos: corta la recta de {$point} y {$pin} en {$crossing}.
 center_of_curvature = La recta desde allí a {$fixed} marca en el rayo {$center}, el centro de curvatura de la trayectoria de {$point}.
 path_inflection = La recta desde allí a {$fixed} es paralela al rayo: la trayectoria de {$point} tiene una inflexión.
+inflection_point = Medir las distancias de {$pin} a {$pole} y a {$fixed}. Sobre el rayo, desde {$pin} hacia {$fixed}, J pasa por una inflexión de su trayectoria (Euler y Savary).
+inflection_in_pin = {$fixed} está en el infinito: {$pin} mismo pasa por una inflexión, y es J.
+inflection_pole = La normal al rayo en {$point} y la normal a la tangente polar en {$pole} se cortan en {$found}, el polo de inflexiones: la circunferencia sobre {$pole} {$found} es la de inflexiones.
+inflections_differ = Los polos de inflexiones de estas rectas y los del movimiento calculado difieren en {$difference} del diámetro o del mecanismo; los cortes permiten {$allowed}.
 curvatures_differ = Los centros de curvatura según estas rectas y según el movimiento calculado difieren en {$difference} del radio o del mecanismo; los cruces permiten {$allowed}.
 velocity_of_center = Trazar {$vector}, la de {$center}: el eslabón {$link} no gira.
 centers_differ = Los centros por estas rectas y los del movimiento calculado difieren en {$difference} del tamaño del mecanismo; los cortes permiten {$allowed}.
@@ -1345,6 +1349,7 @@ check-no_photograph = no hay ninguna fotografía
 ## Errors and warnings: exercise
 
 exercise-no_construction = sus planos no tienen una construcción que dibujar a mano: un punto especial está en el infinito, o un grupo es de clase superior a la IV
+exercise-nothing_to_find = en la figura de los centros instantáneos no hay nada que hallar: los centros que muestra están en articulaciones y guías; indique otros en `figure.centers`, o puntos en `figure.velocities`
 exercise-gave_up = ninguna de {$tries} variantes se puede dibujar bien a mano; con más frecuencia ({$percent} %) porque {$most}
 exercise-numbers = los números no son compatibles
 exercise-assembly = los eslabones no se alcanzan

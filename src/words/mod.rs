@@ -13,7 +13,7 @@ mod number;
 #[doc(hidden)] // for tests
 pub mod sentences;
 
-pub use notation::{Notation, SlidePart, SlideSymbol, SliderNames, under, with_prime};
+pub use notation::{FrameSign, Notation, SlidePart, SlideSymbol, SliderNames, under, with_prime};
 pub(crate) use number::certain_angle;
 pub use number::{Medium, NumberStyle, power_of_ten};
 pub(crate) use sentences::sheet_told;
@@ -21,6 +21,7 @@ pub(crate) use sentences::sheet_told;
 use crate::fluent::{Catalogue, Sentence, english, library_part};
 use crate::message::{Declared, Message};
 use crate::scene::{DecimalMark, Figure, FrameName, LanguageName};
+use crate::sheet::Sheet;
 use sentences::DECLARED;
 use std::sync::OnceLock;
 
@@ -134,6 +135,23 @@ impl Wording {
     #[must_use]
     pub fn of(figure: &Figure) -> Wording {
         Wording { language: Language::of(figure.language), notation: Notation::of(figure), decimal: figure.decimal }
+    }
+
+    /// The title of a figure whose scene has none: what it shows.
+    #[must_use]
+    pub fn title_of(&self, figure: &Figure) -> String {
+        let panels = figure.shown_panels();
+        let of_panel = |panel: &Sheet| match panel {
+            Sheet::Centers => Some(self.language.centers()),
+            Sheet::Forces => Some(self.language.force_plan()),
+            Sheet::Lever => Some(self.language.lever()),
+            Sheet::Scheme | Sheet::Velocity | Sheet::Acceleration => None,
+        };
+        let shown: Vec<&str> = panels.iter().filter_map(of_panel).collect();
+        match panels.iter().any(|panel| panel.order().is_some()) || shown.is_empty() {
+            true => self.language.title().to_owned(),
+            false => shown.join(", "),
+        }
     }
 
     /// The frame, in symbols and sentences: its number, or else the word for it.

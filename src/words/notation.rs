@@ -25,6 +25,29 @@ pub struct Notation {
     pub center: &'static str,
     /// The number of the frame; without one it has a word.
     pub frame: Option<FrameName>,
+    /// The frame's own label, where it is short enough for an index.
+    pub frame_sign: Option<FrameSign>,
+}
+
+/// A label of the frame that stands in indices, as 6 in P₁₆: at most three letters or digits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FrameSign([Option<char>; 3]);
+
+impl FrameSign {
+    /// The label that a figure gives the frame; `None` of a longer one, and where there is none.
+    fn of(figure: &Figure) -> Option<FrameSign> {
+        let label = figure.labels.get("ground")?.for_setting();
+        let mut signs = label.trim().chars();
+        let sign = FrameSign(core::array::from_fn(|_| signs.next()));
+        let is_short = signs.next().is_none() && sign.text().chars().all(char::is_alphanumeric);
+        (is_short && sign.0[0].is_some()).then_some(sign)
+    }
+
+    /// The label.
+    #[must_use]
+    pub fn text(self) -> String {
+        self.0.into_iter().flatten().collect()
+    }
 }
 
 impl Notation {
@@ -40,6 +63,7 @@ impl Notation {
             sliding: figure.sliding,
             center: figure.center_letter.as_str(),
             frame: figure.frame,
+            frame_sign: FrameSign::of(figure),
             ..school
         }
     }
@@ -77,6 +101,7 @@ const PAPER: Notation = Notation {
     sliding: SlidingName::Slider,
     center: "P",
     frame: None,
+    frame_sign: None,
 };
 
 /// C. E. Wilson, J. P. Sadler, *Kinematics and Dynamics of Machinery*, 3rd ed., Pearson 2003.

@@ -112,6 +112,10 @@ pole_tangent = Traçar a tangente polar t do elo {$link} por {$pole}: a partir d
 axis_of_point = Traçar o raio de {$pole} a {$point} e, a partir dele, com o ângulo que vai da tangente ao raio a {$pin}, o eixo de ambos: corta a reta de {$point} e {$pin} em {$crossing}.
 center_of_curvature = A reta dali a {$fixed} marca no raio {$center}, o centro de curvatura da trajetória de {$point}.
 path_inflection = A reta dali a {$fixed} é paralela ao raio: a trajetória de {$point} tem uma inflexão.
+inflection_point = Medir as distâncias de {$pin} a {$pole} e a {$fixed}. Sobre o raio, de {$pin} para {$fixed}, J passa por uma inflexão da sua trajetória (Euler e Savary).
+inflection_in_pin = {$fixed} está no infinito: o próprio {$pin} passa por uma inflexão, e é J.
+inflection_pole = A normal ao raio em {$point} e a normal à tangente polar em {$pole} cortam-se em {$found}, o polo de inflexões: a circunferência sobre {$pole} {$found} é a de inflexões.
+inflections_differ = Os polos de inflexões destas retas e os do movimento calculado diferem em {$difference} do diâmetro ou do mecanismo; os cortes permitem {$allowed}.
 curvatures_differ = Os centros de curvatura por estas retas e pelo movimento calculado diferem em {$difference} do raio ou do mecanismo; os cruzamentos permitem {$allowed}.
 velocity_of_center = Traçar {$vector}, a de {$center}: o elo {$link} não gira.
 centers_differ = Os centros por estas retas e os do movimento calculado diferem em {$difference} do tamanho do mecanismo; os cruzamentos permitem {$allowed}.
@@ -1347,6 +1351,7 @@ check-no_photograph = não há nenhuma fotografia
 ## Errors and warnings: exercise
 
 exercise-no_construction = seus polígonos não têm uma construção que se desenhe à mão: um ponto especial está no infinito, ou um grupo é de classe superior à IV
+exercise-nothing_to_find = na figura dos centros instantâneos não há nada a achar: os centros que ela mostra estão em articulações e guias; indique outros em `figure.centers`, ou pontos em `figure.velocities`
 exercise-gave_up = nenhuma de {$tries} variantes se desenha bem à mão; na maioria das vezes ({$percent} %) porque {$most}
 exercise-numbers = os números não são compatíveis
 exercise-assembly = os elos não se alcançam

@@ -149,6 +149,10 @@ sentences! {
     axis_of_point(pole, point, pin, crossing);
     center_of_curvature(point, fixed, center);
     path_inflection(point, fixed);
+    inflection_point(pole, pin, fixed);
+    inflection_in_pin(pin, fixed);
+    inflection_pole(pole, found, point);
+    inflections_differ(difference, allowed);
     curvatures_differ(difference, allowed);
     velocity_of_center(vector, center, link);
     centers_differ(difference, allowed);

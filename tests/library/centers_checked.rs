@@ -1,11 +1,13 @@
 //! Forms with instant centres: what they ask for, that independent digits are right there, and that other forms are as they were.
 
+use kinegon::centers::LinkPair;
 use kinegon::check::{AnswerKey, Measured, Verdict, check, form_names};
-use kinegon::construction::{CenterOrigin, Spot};
+use kinegon::construction::{CenterOrigin, Spot, Tolerance};
 use kinegon::drawing::markers::SheetCode;
 use kinegon::drawing::{Pen, Point};
 use kinegon::exercise::Exercises;
 use kinegon::geometry::Place;
+use kinegon::quantity::step_pencil;
 use kinegon::{Scales, Sheet, Solution};
 use serde_json::{Value, json};
 use support::files;
@@ -107,7 +109,7 @@ fn a_form_of_centres_needs_the_scale_of_their_sheet_alone() {
 }
 
 /// All centres of four-bars, slider-cranks and slotted levers, one of a six-bar, and by velocities that of a class IV group.
-fn exercised() -> [(&'static str, Value); 5] {
+fn exercised() -> [(&'static str, Value); 7] {
     let panels = json!(["scheme", "centers"]);
     [
         ("four-bar", json!({ "panels": panels, "velocities": ["C"] })),
@@ -115,6 +117,8 @@ fn exercised() -> [(&'static str, Value); 5] {
         ("slotted-lever", json!({ "panels": panels })),
         ("stephenson-3", json!({ "panels": panels, "centers": ["P(1,5)"] })),
         ("fourth-class", json!({ "panels": panels, "centers": ["P(1,4)"], "velocities": ["F"] })),
+        ("four-bar", json!({ "panels": panels, "centers": ["P(2,ground)"], "inflection": ["2"] })),
+        ("slider-crank", json!({ "panels": panels, "centers": ["P(2,ground)"], "inflection": ["2"] })),
     ]
 }
 
@@ -150,6 +154,7 @@ fn exercises_have_centres_that_a_hand_draws_well() {
         for (name, value) in &key.values {
             let allowed = value.allowed.unwrap_or_else(|| panic!("{kind}: {name} has no band"));
             assert!(!name.starts_with("P(") || allowed <= 4.0 * mu, "{kind}: {name} ± {allowed}");
+            assert!(!name.starts_with("d_i(") || allowed <= 0.5 * value.value, "{kind}: {name} ± {allowed}");
             assert!(!name.starts_with("L(") || value.value >= 15.0 * mu, "{kind}: {name} is short");
         }
     }
@@ -185,4 +190,140 @@ fn a_figure_with_a_plan_beside_its_centres_makes_exercises_of_both() {
     for name in ["vplan(d,c)", "omega(3)", "P(1,3).x"] {
         assert!(names.iter().any(|own| own == name), "{name} in {names:?}");
     }
+}
+
+/// A parallelogram: its coupler only translates, and so does each of two opposite links against the other.
+const PARALLELOGRAM: &str = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": ["A", "D"],
+    "points": { "A": [0, 0], "B": [30, 40], "C": [130, 40], "D": [100, 0] },
+    "links": { "1": { "points": ["A", "B"], "drive": { "omega": 2, "alpha": 0 } }, "2": ["B", "C"], "3": ["D", "C"] },
+    "figure": { "panels": ["scheme", "centers"], "centers": "all" } }"#;
+
+#[test]
+fn the_direction_of_a_centre_at_infinity_is_read_as_that_of_a_line() {
+    let solution = solved(PARALLELOGRAM).expect("it can be solved");
+    assert_eq!(names(&solution), ["P(2,ground).angle", "P(1,3).angle"]);
+    // The cranks have the slope 4 : 3, frame and coupler none.
+    let crank = 53.130_102_354_155_98;
+    let verdicts = |first: f64, second: f64| -> Vec<Verdict> {
+        let values = json!({ "P(2,ground).angle": format!("{first:.1}"), "P(1,3).angle": format!("{second:.1}") });
+        let checked = check(&form(&values), &AnswerKey::new(&solution, None)).expect("a form");
+        assert!(checked.values.iter().all(|value| value.tolerance.is_some_and(|band| (0.5..5.0).contains(&band))));
+        checked.values.iter().map(|value| value.verdict).collect()
+    };
+    assert_eq!(verdicts(crank, 0.0), [Verdict::Right, Verdict::Right]);
+    assert_eq!(verdicts(crank - 180.0, 180.0), [Verdict::Right, Verdict::Right]);
+    assert_eq!(verdicts(crank + 0.4, -179.7), [Verdict::WithinTolerance, Verdict::WithinTolerance]);
+    assert_eq!(verdicts(crank + 90.0, 90.0), [Verdict::Off, Verdict::Off]);
+}
+
+#[test]
+fn a_form_that_names_centres_is_judged_where_the_figure_shows_none() {
+    let shown = with_figure("four-bar", json!({ "panels": ["scheme", "centers"], "velocities": ["C"] }));
+    let plans = with_figure("four-bar", json!({ "panels": ["scheme", "velocity"], "mu_v": 5, "mu_l": 2 }));
+    let digits = |name: &str| format!("{:.2}", shown.quantity(name).expect("a value").as_number());
+    let values = json!({ "P(1,3).x": digits("P(1,3).x"), "P(0,2).y": "0.0", "omega(3)": digits("omega(3)") });
+    let written = form(&values);
+    assert!(form(&json!({ "omega(3)": "1.0" })).with_centers(&plans).is_none(), "it names none");
+    assert!(written.with_centers(&shown).is_none(), "the figure has them");
+    let solution = written.with_centers(&plans).expect("a construction of the centres");
+    let checked = check(&written, &AnswerKey::new(&solution, None)).expect("a form");
+    let verdicts: Vec<Verdict> = checked.values.iter().map(|value| value.verdict).collect();
+    assert_eq!(verdicts, [Verdict::Right, Verdict::Off, Verdict::Right]);
+}
+
+#[test]
+fn a_figure_of_permanent_centres_alone_says_that_nothing_is_to_be_found() {
+    let base =
+        with_figure("four-bar", json!({ "panels": ["scheme", "centers"], "centers": ["P(1,ground)", "P(1,2)"] }));
+    let error = Exercises::new(&base, None, 1).expect_err("there is nothing to find").to_string();
+    assert!(error.contains("nothing to find"), "{error}");
+}
+
+#[test]
+fn steps_tell_places_distances_and_directions_with_their_bands() {
+    let figure = json!({ "panels": ["scheme", "centers"], "mu_c": 2, "velocities": ["C"] });
+    let solution = with_figure("four-bar", figure);
+    let pencil = step_pencil(&solution, Tolerance::default()).expect("bands");
+    let steps = solution.steps(&pencil);
+    for name in ["P(1,3).x", "P(2,ground).y", "L(P(3,ground),C)", "omega(3)", "v(C).angle"] {
+        let band = pencil.band(name).unwrap_or_else(|| panic!("{name} has a band"));
+        let (value, band) = (solution.quantity(name).expect("a value").as_number(), band.band);
+        let line = steps.lines().find(|line| {
+            let number = |text: &str| text.trim().split([' ', '°']).next().and_then(|text| text.parse::<f64>().ok());
+            let near = |text: Option<&str>, of: f64, part: f64| {
+                text.and_then(number).is_some_and(|x| (x - of).abs() <= part * of.abs())
+            };
+            let last = line.rsplit(" = ").next();
+            near(last, value, 1e-3) && near(line.split("; ± ").nth(1), band, 0.06)
+        });
+        assert!(line.is_some(), "{name} = {value} ± {band} in\n{steps}");
+    }
+}
+
+#[test]
+fn a_centre_is_called_by_the_label_of_the_frame() {
+    let symbol = |figure: Value| {
+        let solution = with_figure("four-bar", figure);
+        let pair = LinkPair::named("P(1,ground)", &solution.mechanism).expect("a pair");
+        pair.symbol(0, &solution.mechanism, &solution.wording().notation, &str::to_owned)
+    };
+    assert_eq!(symbol(json!({})), "P_{10}");
+    assert_eq!(symbol(json!({ "frame": "0" })), "P_{10}");
+    assert_eq!(symbol(json!({ "frame": "0", "labels": { "ground": "6" } })), "P_{16}");
+    assert_eq!(symbol(json!({ "labels": { "ground": "bed plate" } })), "P_{10}");
+}
+
+/// The digits are those of absolute coordinates and free bodies; the lines use no rate.
+#[test]
+fn inflection_poles_by_lines_are_those_of_independent_digits() {
+    let mut count = 0;
+    for line in files::read("tests/centers/cases.jsonl").lines() {
+        let case: Value = serde_json::from_str(line).expect("JSON");
+        let expected = case["expected"]["inflection"].as_object().expect("links");
+        let mut scene = case["scene"].clone();
+        let links: Vec<&String> = expected.keys().collect();
+        scene["figure"] = json!({ "panels": ["centers"], "inflection": links });
+        let solution = solved(&scene.to_string()).expect("it can be solved");
+        let size = kinegon::geometry::span(solution.pose.points.iter().copied());
+        for found in &solution.construction.centers.as_deref().expect("centres").inflections {
+            let link = solution.construction.centers.as_deref().expect("centres").tangents[found.tangent].link;
+            let truth = &expected[&solution.mechanism.body(link).name];
+            let number = |value: &Value| value.as_str().and_then(|digits| digits.parse::<f64>().ok()).expect("digits");
+            let pole = found.pole.finite().expect("a place");
+            let off = [pole.x - number(&truth["inflection_pole"][0]), pole.y - number(&truth["inflection_pole"][1])];
+            let diameter = number(&truth["diameter"]);
+            assert!(off.iter().all(|off| off.abs() <= 1e-9 * size.max(diameter)), "{} {off:?}", case["id"]);
+            assert!((found.diameter - diameter).abs() <= 1e-9 * size.max(diameter), "{}", case["id"]);
+            let agreement = found.agreement.expect("accelerations");
+            assert!(agreement.difference <= agreement.allowed, "{}: {agreement:?}", case["id"]);
+            count += 1;
+        }
+    }
+    assert!(count >= 6, "{count} inflection poles");
+}
+
+#[test]
+fn an_exercise_asks_for_the_inflection_pole_and_does_not_show_it() {
+    let figure = json!({ "panels": ["scheme", "centers"], "centers": ["P(2,ground)"], "inflection": ["2"] });
+    let exercise = Exercises::new(&with_figure("four-bar", figure), None, 3).expect("it can vary").next().expect("one");
+    let names: Vec<String> = exercise.key().values.keys().cloned().collect();
+    assert!(["W(2).x", "W(2).y", "d_i(2)"].iter().all(|name| names.iter().any(|own| own == name)), "{names:?}");
+    let shown = exercise.sheets("x").into_iter().flat_map(|sheet| sheet.marks);
+    assert!(
+        shown.into_iter().all(|mark| mark.id.is_none_or(|id| !id.contains("inflection"))),
+        "the circle is the answer"
+    );
+}
+
+/// A single flier: two of its centres need a link left out.
+#[test]
+fn a_single_flier_is_an_exercise() {
+    let text = files::read("tests/centers/cases.jsonl");
+    let line = text.lines().find(|line| line.contains("I02-single-flier")).expect("it is there");
+    let mut scene = serde_json::from_str::<Value>(line).expect("a case")["scene"].clone();
+    scene["figure"] = json!({ "panels": ["scheme", "centers"], "centers": ["P(5,ground)"] });
+    let exercise = Exercises::new(&solved(&scene.to_string()).expect("solved"), None, 1).expect("it can vary").next();
+    let exercise = exercise.unwrap_or_else(|error| panic!("{error}"));
+    let centers = exercise.solution.construction.centers.as_deref().expect("centres");
+    assert!(centers.by_rates.is_empty());
 }

@@ -2,6 +2,7 @@
 //! the centres constructed are those of independent digits, and those of the computed motion within what is allowed.
 
 use kinegon::Solution;
+use kinegon::centers::LinkPair;
 use kinegon::construction::kennedy::chain::{Homogeneous, Places, Way, ways};
 use kinegon::construction::kennedy::order::{Crossed, Diagram, Lines, Two, reach, shortest, two};
 use kinegon::construction::{CenterOrigin, Centers, FigureOf};
@@ -14,6 +15,7 @@ use support::files;
 use support::planted::{Planted, pattern};
 use support::random::Random;
 use support::stages::solved;
+use support::survey::CONSTRUCTED;
 
 type Chain = Vec<Two>;
 
@@ -331,12 +333,38 @@ fn a_link_left_out() {
     assert_eq!(ways.count(), 1);
 }
 
+/// Whether the three centres of any three links lie on a line, as far as the crossings allow; how many triples were at places.
+fn are_on_lines(solution: &Solution, ids: &[BodyId], size: f64, allowed: f64, scene: &Value) -> usize {
+    let (centers, origin) = (centers(solution), solution.construction.origin);
+    let place = |a: BodyId, b: BodyId| {
+        let center = centers.get(centers.of(LinkPair::new(a, b)?)?);
+        center.place.finite()
+    };
+    let mut count = 0;
+    for (i, &a) in ids.iter().enumerate() {
+        for (j, &b) in ids.iter().enumerate().skip(i + 1) {
+            for &c in &ids[j + 1..] {
+                let (Some(p), Some(q), Some(r)) = (place(a, b), place(b, c), place(a, c)) else { continue };
+                // The smallest height of their triangle, in parts of the size that the places have.
+                let sides = [q - p, r - q, p - r];
+                let longest = sides.iter().map(|side| side.norm()).fold(0.0, f64::max);
+                let reach = [p, q, r].iter().map(|at| (at - origin).norm()).fold(size, f64::max);
+                let height = if longest > 0.0 { sides[0].perp(&sides[1]).abs() / longest } else { 0.0 };
+                assert!(height <= 8.0 * allowed * reach, "{scene}: {height:e} of {reach:e}, allowed {allowed:e}");
+                count += 1;
+            }
+        }
+    }
+    count
+}
+
 #[test]
 fn of_random_mechanisms() {
     let mut random = Random(11);
-    let (mut made, mut lines) = (0, 0);
+    let (mut made, mut lines, mut triples) = (0, 0, 0);
     for class in ["II", "III", "IV"] {
-        for _ in 0..40 {
+        let mut of_class = 0;
+        while of_class < CONSTRUCTED.now() {
             let (kinds, joints) = pattern(&mut random, class);
             let text = Planted::new(&mut random, &kinds, &joints).scene();
             let mut scene: Value = serde_json::from_str(&text).expect("a scene");
@@ -355,15 +383,16 @@ fn of_random_mechanisms() {
                 continue;
             }
             let centers = centers(&solution);
-            made += 1;
+            (made, of_class) = (made + 1, of_class + 1);
             lines += centers.all.iter().filter(|center| !center.is_permanent()).count();
             assert!(centers.by_rates.is_empty(), "{scene}: {:?}", centers.by_rates);
             if let Some(agreement) = centers.agreement {
                 assert!(agreement.difference <= agreement.allowed, "{scene}: {agreement:?}");
                 assert!(agreement.allowed < 1e-3, "{scene}: {agreement:?}");
+                triples += are_on_lines(&solution, &ids, size, agreement.allowed, &scene);
             }
         }
     }
-    println!("{made} mechanisms, {lines} centres by lines");
-    assert!(made > 30 && lines > 150);
+    println!("{made} mechanisms, {lines} centres by lines, {triples} triples of centres on lines");
+    assert!(made == 3 * CONSTRUCTED.now() && lines > 5 * made && triples > 5 * made);
 }

@@ -61,6 +61,7 @@ fn what_is_not_there_is_refused() {
         ("--centers=P(1,1)", "--centers: \"P(1,1)\" names no instant centre"),
         ("--centers=2", "--centers: \"2\" names no instant centre"),
         ("--centers=,", "--centers names nothing"),
+        ("--centers=", "--centers names nothing"),
         ("--velocities=A", "--velocities: point A is on the ground and does not move"),
         ("--velocities=Q", "--velocities: there is no point Q"),
         ("--centrodes=9", "--centrodes: there is no link 9"),

@@ -61,6 +61,8 @@ pub const BOUNDED: By<u64> = By(200, 2000, 250_000);
 pub const WHOLE: By<u64> = By(100, 1000, 20_000);
 /// Random mechanisms in `centers`, of which about a fifth can be assembled.
 pub const CENTERS: By<u64> = By(200, 1500, 10_000);
+/// Mechanisms of each class in `kennedy` whose centres are constructed.
+pub const CONSTRUCTED: By<usize> = By(12, 100, 667);
 /// Positions of each starting scene in `whole_errors`.
 pub const WHOLE_POSITIONS: By<u32> = By(1, 2, 60);
 

@@ -175,7 +175,16 @@ class Solution:
         return result
 
     def quantity(self, name: str) -> Quantity:
-        """The quantity of that name: ``omega(4)``, ``v(D)``, ``a_n(D/G).size``, ``position(3/2)``, ``vplan(b,s3)`` …"""
+        """The quantity of that name: ``omega(4)``, ``v(D)``, ``a_n(D/G).size``, ``position(3/2)``, ``vplan(b,s3)`` …; of instant centres
+        ``P(1,3)`` and ``P(2,ground).x``, at infinity ``.angle``, of inflection circles ``W(2)`` and ``d_i(2)``.
+
+        Crank and rocker have their centre on the line of the frame's pivots:
+
+            >>> import kinegon
+            >>> centre = kinegon.Scene.kind("four-bar").solve().quantity("P(1,3)")
+            >>> abs(centre.value[1]) < 1e-9 * abs(centre.value[0])
+            True
+        """
         numbers, unit, error = self._native.quantity(name)
         return Quantity(name, (numbers[0], numbers[1]) if len(numbers) == 2 else numbers[0], unit, error)
 
@@ -219,7 +228,15 @@ class Solution:
             fps: Pictures of a film in a second, 1 to 50; 20 without it.
             drive: The drive that a film follows, if not the first; others run along in proportion to their speeds.
             options: Further keywords are keys of a scene's ``figure`` in place of its own: ``step=14``, ``language="es"``, ``page="a3"``,
-                ``panels=["velocity"]``, ``mu_v=0.5`` (units per mm of paper), ``values="m"``, ``trace=["M"]`` …
+                ``panels=["velocity"]``, ``mu_v=0.5`` (units per mm of paper), ``values="m"``, ``trace=["M"]`` … The figure of instant centres is
+                ``panels=["scheme", "centers"]``, with ``centers="all"`` or ``centers=["P(1,3)"]``, ``velocities=["C"]``, ``inflection=["2"]``.
+
+        All instant centres, with the lines that lead to them:
+
+            >>> import kinegon
+            >>> svg = kinegon.Scene.kind("four-bar").solve().draw(panels=["centers"], centers="all")
+            >>> "<svg" in svg
+            True
         """
         return _files.sheet_of(self._sheets(format, **options), sheet, format)
 
@@ -309,7 +326,8 @@ class Solution:
         Args:
             form: Values by names, counter-clockwise positive, as ``{"omega(4)": -0.474, "v(D).size": 71.2}``; or a
                 filled form: a dict, its text (JSON or CSV), its path. Or a drawing, likewise: then ``check.drawing`` has
-                the verdicts on its operations.
+                the verdicts on its operations. A form with ``mu_c`` may name instant centres (``P(1,3).x``) of a scene
+                whose figure shows none.
             marks: A marking scheme, as for ``kinegon check --marks``.
             pencil_mm: Limit of the hand's errors in mm of paper; without both limits what the scatter of the values shows.
             pencil_degrees: The same in degrees.

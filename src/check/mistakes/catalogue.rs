@@ -164,22 +164,22 @@ macro_rules! catalogue {
                 centers_swapped(first, second)
             }
             /// A ratio of distances of centres upside down.
-            RatioInverted "ratio-inverted" 5.0 centers::ratio_inverted { ratio_inverted(rate, over, under) }
+            RatioInverted "ratio-inverted" 5.0 by_centers::ratio_inverted { ratio_inverted(rate, over, under) }
             /// The sense of a rate or a velocity by centres reversed.
-            SenseByCenter "sense-by-centre" 6.0 centers::sense_by_center {
+            SenseByCenter "sense-by-centre" 6.0 by_centers::sense_by_center {
                 sense_by_center(rate)
                 velocity_reversed(velocity)
             }
             /// A distance from another place than the centre that is meant.
-            DistanceFromWrongCenter "distance-from-wrong-centre" 5.0 centers::from_wrong_center {
+            DistanceFromWrongCenter "distance-from-wrong-centre" 5.0 by_centers::from_wrong_center {
                 distance_from_wrong_center(length, from, to)
             }
             /// The lines of a centre not drawn far enough, other ones crossed.
-            NotExtended "not-extended" 3.0 centers::not_extended { not_extended(center, first, second) }
+            NotExtended "not-extended" 5.0 routes::not_extended { not_extended(center, first, second) }
             /// A velocity laid off along its ray.
-            VelocityAlongRay "velocity-along-ray" 3.0 centers::velocity_along_ray { velocity_along_ray(velocity) }
+            VelocityAlongRay "velocity-along-ray" 3.0 by_centers::velocity_along_ray { velocity_along_ray(velocity) }
             /// A centre in a pin of three links missed.
-            PinOfThree "pin-of-three" 2.0 centers::pin_of_three { pin_of_three(center, pin) }
+            PinOfThree "pin-of-three" 4.0 centers::pin_of_three { pin_of_three(center, pin) }
             /// Millimetres of paper of the figure of centres taken for lengths.
             LengthsWithoutScale "lengths-without-scale" 4.0 rates::without_scale { lengths_without_scale(lengths, scale) }
             /// The force of inertia along the acceleration, not against it.

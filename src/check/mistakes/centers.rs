@@ -1,19 +1,22 @@
-//! Mistakes with instant centres: lines through the wrong places, wrong crossings, wrong distances, velocities.
+//! Mistakes with instant centres: lines through the wrong places, wrong crossings.
 
-use super::rays::{measured_there, sides};
-use super::site::{Candidate, Reinterpretation, Site, instead, times};
+use super::beside::measured_there;
+use super::rays::sides;
+use super::routes;
+use super::site::{Candidate, Site, instead};
 use super::told::{Blank, Told, tell};
+use crate::centers::LinkPair;
 use crate::construction::{
-    Along, Center, CenterId, CenterOrigin, Centers, Disturbance, Equation, FigureOf, LineId, NumberId, NumberKind,
-    OperationKind, OperationRole, PlaceId, Spot,
+    Along, Center, CenterId, CenterOrigin, Centers, Disturbance, FigureOf, LineId, OperationKind, OperationRole,
+    PlaceId, Spot,
 };
-use crate::geometry::{Vector, cross, quarter_turn, unit};
+use crate::geometry::{Vector, cross, unit};
 use crate::mechanism::{GROUND, SliderId};
 use crate::sheet::Sheet;
 use std::collections::BTreeSet;
 
 /// Two places nearer than this are one to a hand, in mm: nobody marks a new centre on an old one.
-const ONE: f64 = 3.0;
+pub(super) const ONE: f64 = 3.0;
 
 /// Farthest wrong crossing, in sizes of what is drawn.
 const REACH: f64 = 2.5;
@@ -23,18 +26,18 @@ const SINE: f64 = 0.1;
 
 /// Where two lines are crossed to an instant centre.
 #[derive(Clone, Copy)]
-struct Crossing {
-    operation: usize,
-    id: CenterId,
-    place: PlaceId,
-    lines: [LineId; 2],
+pub(super) struct Crossing {
+    pub operation: usize,
+    pub id: CenterId,
+    pub place: PlaceId,
+    pub lines: [LineId; 2],
 }
 
 /// The instant centres of a construction in which mistakes are looked for.
-struct Drawn<'s> {
-    site: &'s Site<'s>,
-    all: &'s Centers,
-    crossings: Vec<Crossing>,
+pub(super) struct Drawn<'s> {
+    pub site: &'s Site<'s>,
+    pub all: &'s Centers,
+    pub crossings: Vec<Crossing>,
 }
 
 impl<'s> Drawn<'s> {
@@ -51,21 +54,15 @@ impl<'s> Drawn<'s> {
     }
 
     /// A centre by its name; of one without a link that of the centre that it leads to.
-    fn center(&self, id: CenterId) -> Blank {
+    pub(super) fn center(&self, id: CenterId) -> Blank {
         Blank::Quantity(self.all.get(id).pair.name(&self.site.key.solution.mechanism))
     }
 
     /// A line by the centres through which it is drawn.
     fn line(&self, line: LineId) -> Blank {
-        let mechanism = &self.site.key.solution.mechanism;
-        let notation = &self.site.key.solution.wording().notation;
-        let symbol = |id: CenterId| {
-            let symbol = self.all.get(id).pair.symbol(0, mechanism, notation, &str::to_owned);
-            symbol.replace(['{', '}'], "")
-        };
         let own = self.all.all.iter().flat_map(Center::lines).find(|own| own.line == Some(line));
         if let Some(own) = own {
-            return Blank::Words(own.through.map(symbol).join(" "));
+            return self.line_through(own.through.map(|id| self.all.get(id).pair));
         }
         match self.site.drawing_of(line).map(|(_, operation)| (operation.role, &operation.kind)) {
             Some((OperationRole::Guide(slider), _)) => self.guide(slider),
@@ -76,22 +73,30 @@ impl<'s> Drawn<'s> {
         }
     }
 
+    /// A line by the centres of two pairs of links.
+    pub(super) fn line_through(&self, pairs: [LinkPair; 2]) -> Blank {
+        let mechanism = &self.site.key.solution.mechanism;
+        let notation = &self.site.key.solution.wording().notation;
+        let symbol = |pair: LinkPair| pair.symbol(0, mechanism, notation, &str::to_owned).replace(['{', '}'], "");
+        Blank::Words(pairs.map(symbol).join(" "))
+    }
+
     fn guide(&self, slider: SliderId) -> Blank {
         let solution = self.site.key.solution;
         Blank::Guide(solution.mechanism.slider_in_words(slider, &solution.wording()))
     }
 
-    fn at(&self, place: PlaceId) -> Vector {
+    pub(super) fn at(&self, place: PlaceId) -> Vector {
         self.site.model.exact.place(place)
     }
 
     /// Millimetres of paper in units of the sheet.
-    fn mm(&self, mm: f64) -> f64 {
+    pub(super) fn mm(&self, mm: f64) -> f64 {
         mm * self.site.model.scales[Sheet::Centers]
     }
 
     /// Whether somebody may take a point for a new centre: it is on the sheet, and no place that has a name already.
-    fn is_free(&self, at: Vector, operation: usize) -> bool {
+    pub(super) fn is_free(&self, at: Vector, operation: usize) -> bool {
         let places = self.site.model.places_before(Sheet::Centers, operation);
         let places = || places.iter().map(|place| self.at(*place)).filter(|place| place.norm().is_finite());
         let size = places().map(|place| place.norm()).fold(0.0, f64::max);
@@ -125,6 +130,13 @@ impl<'s> Drawn<'s> {
         })
     }
 
+    /// Whether a centre is a pin of three links or more.
+    pub(super) fn is_one_of_three(&self, id: CenterId) -> bool {
+        let origin = &self.all.get(id).origin;
+        let same = || self.all.all.iter().filter(|other| other.origin == *origin).count();
+        matches!(origin, CenterOrigin::Pin(_)) && same() >= 3
+    }
+
     /// Several changes as one mistake, at the step of the first of them.
     fn together(&self, told: Told, edits: Vec<Disturbance>) -> Option<Candidate> {
         let first = edits.iter().map(|edit| edit.operation).min()?;
@@ -140,7 +152,7 @@ fn meeting([(a, u), (b, v)]: [(Vector, Vector); 2]) -> Option<Vector> {
 }
 
 /// The candidates that a function finds where the figure has centres.
-fn found(site: &Site<'_>, find: impl Fn(&Drawn<'_>) -> Vec<Candidate>) -> Vec<Candidate> {
+pub(super) fn found(site: &Site<'_>, find: impl Fn(&Drawn<'_>) -> Vec<Candidate>) -> Vec<Candidate> {
     Drawn::of(site).map_or_else(Vec::new, |drawn| find(&drawn))
 }
 
@@ -202,7 +214,7 @@ fn with_one_line(drawn: &Drawn<'_>, crossing: &Crossing) -> Vec<Candidate> {
             if drawn.meeting(taken).is_some_and(|at| drawn.is_free(at, operation)) {
                 let told = tell::line_without_common_link(drawn.center(id), drawn.line(wrong), drawn.line(lines[side]));
                 let edit = instead(operation, OperationKind::Cross { place, lines: taken });
-                all.push(measured_there(drawn.site, drawn.site.candidate(told, edit), place));
+                all.extend(drawn.marked(drawn.site.candidate(told, edit), place));
             }
         }
     }
@@ -226,53 +238,15 @@ fn swapped(drawn: &Drawn<'_>, [first, second]: [&Crossing; 2]) -> Vec<Candidate>
         let earlier = taken(first, second.lines);
         let both = vec![earlier.clone(), later.clone()];
         let both = drawn.together(tell::centers_swapped(a.clone(), b.clone()), both);
-        let measured = |both| measured_there(drawn.site, measured_there(drawn.site, both, first.place), second.place);
-        all.extend(both.map(measured));
+        let model = drawn.site.model;
+        let first_measured = both.into_iter().flat_map(|both| measured_there(model, both, first.place));
+        all.extend(first_measured.flat_map(|both| measured_there(model, both, second.place)));
         let alone = drawn.site.candidate(tell::center_of_other_lines(a.clone(), b.clone()), earlier);
-        all.push(measured_there(drawn.site, alone, first.place));
+        all.extend(drawn.marked(alone, first.place));
     }
     let alone = drawn.site.candidate(tell::center_of_other_lines(b, a), later);
-    all.push(measured_there(drawn.site, alone, second.place));
+    all.extend(drawn.marked(alone, second.place));
     all
-}
-
-/// The lines of a centre not drawn far enough: marked where the lines between the same four places cross within these.
-pub(super) fn not_extended(site: &Site<'_>) -> Vec<Candidate> {
-    found(site, |drawn| {
-        let mut all = Vec::new();
-        for &Crossing { operation, id, place, lines } in &drawn.crossings {
-            let ends = lines.map(|line| match drawn.site.drawing_of(line)?.1.kind {
-                OperationKind::Join { from, towards, .. } => Some([from, towards]),
-                _ => None,
-            });
-            let [Some([a, b]), Some([c, d])] = ends else { continue };
-            let is_between = |[from, to]: [PlaceId; 2]| {
-                let (from, to, at) = (drawn.at(from), drawn.at(to), drawn.at(place));
-                (at - from).dot(&(at - to)) < 0.0
-            };
-            if is_between([a, b]) && is_between([c, d]) {
-                continue;
-            }
-            for pairs in [[[a, c], [b, d]], [[a, d], [b, c]]] {
-                let Some(at) = within(pairs.map(|pair| pair.map(|end| drawn.at(end)))) else { continue };
-                if drawn.is_free(at, operation) {
-                    let told = tell::not_extended(drawn.center(id), drawn.line(lines[0]), drawn.line(lines[1]));
-                    let edit = instead(operation, OperationKind::Plot { place, at });
-                    all.push(measured_there(site, site.candidate(told, edit), place));
-                }
-            }
-        }
-        all
-    })
-}
-
-/// Where two segments cross within both.
-fn within([[a, b], [c, d]]: [[Vector; 2]; 2]) -> Option<Vector> {
-    let (u, v) = (b - a, d - c);
-    let area = cross(u, v);
-    let (s, t) = (cross(c - a, v) / area, cross(c - a, u) / area);
-    let is_within = |part: f64| part > 0.0 && part < 1.0;
-    (is_within(s) && is_within(t)).then(|| a + u * s)
 }
 
 /// A pair of links in a pin of three or more not taken for a centre: lines through it are drawn through a crossing elsewhere.
@@ -281,8 +255,7 @@ pub(super) fn pin_of_three(site: &Site<'_>) -> Vec<Candidate> {
         let mut all = Vec::new();
         for (index, center) in drawn.all.all.iter().enumerate() {
             let (CenterOrigin::Pin(point), Spot::At(pin)) = (&center.origin, center.spot) else { continue };
-            let same = drawn.all.all.iter().filter(|other| other.origin == center.origin).count();
-            if same < 3 {
+            if !drawn.is_one_of_three(CenterId(index)) {
                 continue;
             }
             let name = site.key.solution.mechanism.point_name(*point);
@@ -291,6 +264,7 @@ pub(super) fn pin_of_three(site: &Site<'_>) -> Vec<Candidate> {
                 all.extend(drawn.together(told, through_elsewhere(drawn, CenterId(index), pin, wrong)));
             }
         }
+        all.extend(routes::beside_pin_of_three(drawn));
         all
     })
 }
@@ -351,129 +325,4 @@ fn through_elsewhere(drawn: &Drawn<'_>, id: CenterId, pin: PlaceId, wrong: Vecto
         Some(instead(index, OperationKind::Draw { line, through: other, along }))
     };
     lines.filter_map(edit).collect()
-}
-
-/// The equation by which an angular velocity is found from distances of centres: operation, rate, its link's own distance and the driven link's.
-fn ratios<'s>(site: &'s Site<'_>) -> impl Iterator<Item = (usize, NumberId, [NumberId; 2], &'s Equation)> {
-    site.operations().filter_map(|(index, operation)| {
-        let OperationKind::Solve { unknowns, equations } = &operation.kind else { return None };
-        let ([rate], [equation]) = (unknowns.as_slice(), equations.as_slice()) else { return None };
-        let is_by_centers = matches!(site.number_kind(*rate), NumberKind::RateByCenters(_));
-        let own = equation.left.first()?.1.of.first()?;
-        let driven = equation.right.first()?.of.last()?;
-        is_by_centers.then_some((index, *rate, [*own, *driven], equation))
-    })
-}
-
-/// The ratio of two distances taken upside down.
-pub(super) fn ratio_inverted(site: &Site<'_>) -> Vec<Candidate> {
-    let inverted = ratios(site).map(|(index, rate, [own, driven], equation)| {
-        let mut equation = equation.clone();
-        let exchanged = |number: &mut NumberId| match *number {
-            n if n == own => *number = driven,
-            n if n == driven => *number = own,
-            _ => {}
-        };
-        equation.left.iter_mut().flat_map(|(_, product)| &mut product.of).for_each(exchanged);
-        equation.right.iter_mut().flat_map(|product| &mut product.of).for_each(exchanged);
-        let told = tell::ratio_inverted(site.symbol(rate), site.quantity(driven), site.quantity(own));
-        let kind = OperationKind::Solve { unknowns: vec![rate], equations: vec![equation] };
-        site.candidate(told, instead(index, kind))
-    });
-    inverted.collect()
-}
-
-/// The sense of an angular velocity by centres, or of a velocity, reversed: in all that follows, or only as it is written.
-pub(super) fn sense_by_center(site: &Site<'_>) -> Vec<Candidate> {
-    let mut all = Vec::new();
-    for (index, rate, ..) in ratios(site) {
-        let told = || tell::sense_by_center(site.symbol(rate));
-        all.push(site.candidate(told(), times(index, rate, -1.0)));
-        let reads = |entry: &usize| site.model.readings[*entry].is_ok_and(|reading| reading.number == rate);
-        for entry in (0..site.entries.len()).filter(reads).filter(|entry| !site.entries[*entry].is_magnitude) {
-            let written = &site.entries[entry];
-            let meant = Reinterpretation { entry, value: -written.value, rounding: written.rounding };
-            all.push(Candidate { reinterpreted: vec![meant], ..Candidate::at(told(), written.step) });
-        }
-    }
-    all.extend(
-        velocities(site)
-            .map(|velocity| site.candidate(tell::velocity_reversed(velocity.quantity()), velocity.turned(2))),
-    );
-    all
-}
-
-/// A velocity by centres laid off along its ray.
-pub(super) fn velocity_along_ray(site: &Site<'_>) -> Vec<Candidate> {
-    let along = velocities(site).flat_map(|velocity| {
-        let told = tell::velocity_along_ray(velocity.quantity());
-        [1, 3].map(|turns| site.candidate(told.clone(), velocity.turned(turns)))
-    });
-    along.collect()
-}
-
-/// A velocity that is laid off on the figure of centres.
-struct Velocity<'s> {
-    site: &'s Site<'s>,
-    operation: usize,
-    place: PlaceId,
-    from: PlaceId,
-    size: NumberId,
-    along: Along,
-    /// Its own size, in units of velocity.
-    speed: NumberId,
-}
-
-fn velocities<'s>(site: &'s Site<'_>) -> impl Iterator<Item = Velocity<'s>> {
-    site.operations().filter_map(move |(operation, done)| {
-        let OperationKind::LayOff { place, from, size, along } = done.kind else { return None };
-        let OperationKind::Compute { sum, .. } = &site.operation(site.model.makers[size.0]?).kind else { return None };
-        let speed = *sum.first()?.of.first()?;
-        let is_by_centers = matches!(site.number_kind(speed), NumberKind::SpeedByCenters(_));
-        is_by_centers.then_some(Velocity { site, operation, place, from, size, along, speed })
-    })
-}
-
-impl Velocity<'_> {
-    fn quantity(&self) -> Blank {
-        self.site.quantity(self.speed)
-    }
-
-    /// The distance that is multiplied.
-    fn arm(&self) -> Option<NumberId> {
-        match &self.site.operation(self.site.model.makers[self.speed.0]?).kind {
-            OperationKind::Compute { sum, .. } => sum.first()?.of.last().copied(),
-            _ => None,
-        }
-    }
-
-    fn laid(&self, along: Along) -> Disturbance {
-        let &Velocity { place, from, size, .. } = self;
-        instead(self.operation, OperationKind::LayOff { place, from, size, along })
-    }
-
-    fn turned(&self, quarter_turns: u8) -> Disturbance {
-        self.laid(self.along.turned(quarter_turns))
-    }
-}
-
-/// A velocity with the distance from another centre, normal to the ray from there: the distance alone is `lengths::wrong_distance`.
-pub(super) fn from_wrong_center(site: &Site<'_>) -> Vec<Candidate> {
-    let distances = super::lengths::wrong_distance(site);
-    let mut all = distances.clone();
-    for velocity in velocities(site) {
-        let Some(arm) = velocity.arm() else { continue };
-        let Some(maker) = site.model.makers[arm.0] else { continue };
-        let OperationKind::Measure { from, to, .. } = site.operation(maker).kind else { continue };
-        for mut candidate in distances.iter().cloned() {
-            let Some(&OperationKind::Measure { from: own, to: end, .. }) = candidate.instead_of(maker) else {
-                continue;
-            };
-            let ray = site.model.exact.place(end) - site.model.exact.place(own);
-            let Some(normal) = unit(quarter_turn(ray)).filter(|_| own != from && end == to) else { continue };
-            candidate.edits.push(velocity.laid(Along::given(normal)));
-            all.push(candidate);
-        }
-    }
-    all
 }

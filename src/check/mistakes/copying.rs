@@ -53,6 +53,10 @@ pub(super) fn decimal(site: &Site<'_>) -> Vec<Candidate> {
             let factor = libm::exp10(f64::from(power));
             let text = shifted(&entry.text, power);
             let rounding = entry.precision.rounding(&text) * entry.factor.abs();
+            // No line is read beyond a turn.
+            if entry.asked.is_line() && (entry.value * factor).abs() > 360.0 {
+                continue;
+            }
             let meant = meant_as(index, entry.value * factor, rounding);
             let told = tell::decimal_slipped(named(entry), digits(&entry.text), digits(&text));
             found.extend(misread(site, told, vec![meant]));

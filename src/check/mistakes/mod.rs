@@ -2,6 +2,8 @@
 //! it could be made, with the edits it makes there; a replay shows what follows from them. Its sentences stand in the
 //! languages' files, `words/*.ftl`, each pair under the key that the row names with `-done` and `-should` behind it.
 
+mod beside;
+mod by_centers;
 mod catalogue;
 mod centers;
 mod copying;
@@ -12,11 +14,13 @@ mod moments;
 mod polygons;
 mod rates;
 mod rays;
+mod routes;
 mod site;
 mod told;
 mod unknown;
 mod vectors;
 
+pub(super) use beside::measured_there;
 use catalogue::catalogue;
 pub use site::Candidate;
 pub(super) use site::{Amount, Free, Site};

@@ -1,8 +1,9 @@
 //! Mistakes with lines: rays, cut lines, special points.
 
+use super::beside::measured_there;
 use super::site::{Candidate, Site, instead, times};
 use super::told::{Blank, Told, tell};
-use crate::construction::{Action, LineId, MeasuredAs, NumberId, Operation, OperationKind, OperationRole, PlaceId};
+use crate::construction::{Action, LineId, MeasuredAs, NumberId, Operation, OperationKind, OperationRole};
 use crate::geometry::{Vector, cross, unit};
 use crate::sheet::Sheet;
 
@@ -149,8 +150,8 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
                 taken[side] = wrong;
                 let [wrong, right] = [wrong, lines[side]].map(|line| line_name(site, line));
                 let edit = instead(index, OperationKind::Cross { place, lines: taken });
-                found.push(measured_there(
-                    site,
+                found.extend(measured_there(
+                    site.model,
                     site.candidate(tell::wrong_lines(name.into(), wrong, right), edit),
                     place,
                 ));
@@ -164,27 +165,11 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
                 let wrong = Blank::LineThrough(names);
                 let edit = instead(index, OperationKind::Plot { place, at });
                 let told = tell::wrong_lines(name.into(), wrong, line_name(site, lines[side]));
-                found.push(measured_there(site, site.candidate(told, edit), place));
+                found.extend(measured_there(site.model, site.candidate(told, edit), place));
             }
         }
     }
     found
-}
-
-/// A candidate that puts a point beside the lines along which distances to it are measured: these are distances then.
-pub(super) fn measured_there(site: &Site<'_>, mut candidate: Candidate, place: PlaceId) -> Candidate {
-    let drawn = site.model.replay(&candidate.edits);
-    for (index, operation) in site.operations() {
-        let OperationKind::Measure { number, from, to, how: MeasuredAs::Along(line) } = operation.kind else {
-            continue;
-        };
-        if to == place {
-            let sense = (drawn.place(to) - drawn.place(from)).dot(&drawn.line(line).1).signum();
-            let kind = OperationKind::Measure { number, from, to, how: MeasuredAs::Size };
-            candidate.edits.extend([instead(index, kind), times(index, number, sense)]);
-        }
-    }
-    candidate
 }
 
 /// The lines through two pins of a link, by the pins' names: a point of each and its direction.

@@ -61,11 +61,19 @@ fn amounts(site: &Site<'_>, operation: &Operation) -> SmallVec<[SmallVec<[Amount
             let size = smallvec![Amount::Error(1)];
             if is_computed { smallvec![direction, both] } else { smallvec![direction, both, size] }
         }
-        OperationKind::Measure { .. } | OperationKind::Compute { .. } | OperationKind::Solve { .. } => {
+        OperationKind::Measure { .. }
+        | OperationKind::ReadDirection { .. }
+        | OperationKind::Compute { .. }
+        | OperationKind::Solve { .. } => {
             let numbers = operation.kind.numbers().iter().filter(is_used);
             numbers.map(|&number| smallvec![Amount::Number(number)]).collect()
         }
-        OperationKind::Pole { .. } | OperationKind::Join { .. } | OperationKind::Take { .. } => SmallVec::new(),
+        // The last two are mistakes already.
+        OperationKind::Pole { .. }
+        | OperationKind::Join { .. }
+        | OperationKind::Take { .. }
+        | OperationKind::Meet { .. }
+        | OperationKind::OnLine { .. } => SmallVec::new(),
     }
 }
 

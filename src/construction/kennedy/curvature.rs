@@ -35,9 +35,9 @@ pub struct PoleTangent {
     /// The direction of the tangent, of length 1.
     pub direction: Vector,
     /// The rays, from the pole.
-    lines: [LineId; 2],
+    pub(super) lines: [LineId; 2],
     /// The tangent.
-    line: LineId,
+    pub(super) line: LineId,
 }
 
 /// A pin of a link, and the centre of curvature of its path.
@@ -80,6 +80,10 @@ pub enum CurvatureStep {
     OwnAxis,
     /// The centre of curvature.
     Center,
+    /// The point of a ray that passes an inflection.
+    InflectionPoint,
+    /// The inflection pole.
+    InflectionPole,
 }
 
 impl Writer<'_> {
@@ -144,7 +148,7 @@ impl Writer<'_> {
     }
 
     /// The pole tangent of a link, drawn once; `None` of a link without two pins whose paths have known centres of curvature, and of one with a fixed centre.
-    fn pole_tangent(&mut self, link: BodyId) -> Option<usize> {
+    pub(super) fn pole_tangent(&mut self, link: BodyId) -> Option<usize> {
         let drawn = self.drawn_centers().tangents.iter().position(|tangent| tangent.link == link);
         if drawn.is_some() {
             return drawn;
@@ -215,7 +219,7 @@ impl Writer<'_> {
     }
 
     /// Where two lines meet, parallel ones at infinity; none for the line at infinity twice.
-    fn meet(&mut self, lines: [Option<LineId>; 2]) -> Option<Spot> {
+    pub(super) fn meet(&mut self, lines: [Option<LineId>; 2]) -> Option<Spot> {
         let [first, second] = match lines {
             [Some(first), Some(second)] => [first, second],
             [Some(line), None] | [None, Some(line)] => return Some(Spot::Towards(Along::line(line))),
@@ -230,7 +234,7 @@ impl Writer<'_> {
         Some(crossing.map_or(Spot::Towards(Along::line(first)), Spot::At))
     }
 
-    fn place_of(&self, spot: Spot) -> Place {
+    pub(super) fn place_of(&self, spot: Spot) -> Place {
         match spot {
             Spot::At(place) => Place::At(self.construction.origin + self.exact_place(place).rounded()),
             Spot::Towards(along) => Place::AtInfinity(self.construction.record.exact.direction(&along, 0.0).rounded()),

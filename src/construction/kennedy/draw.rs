@@ -17,8 +17,14 @@ use crate::sheet::Sheet;
 type OverLink = (Option<BodyId>, [CenterId; 2]);
 
 impl Writer<'_> {
-    /// Draws the centres that are wanted, and those that lead to them; the velocities of these points by centres, and the centres of curvature of the paths of others.
-    pub(crate) fn centers(&mut self, wanted: &[LinkPair], points: &[PointId], curved: &[PointId]) {
+    /// Draws the centres that are wanted, and those that lead to them; the velocities of these points by centres, the centres of curvature of the paths of others, and inflection poles of links.
+    pub(crate) fn centers(
+        &mut self,
+        wanted: &[LinkPair],
+        points: &[PointId],
+        curved: &[PointId],
+        inflected: &[BodyId],
+    ) {
         let links: Vec<BodyId> = links(self.mechanism);
         self.construction.centers = Some(Box::new(Centers { links: links.clone(), ..Centers::default() }));
         self.permanent_centers(&links);
@@ -39,7 +45,7 @@ impl Writer<'_> {
         }
         let velocities = self.velocity_plans(points);
         let of_curved: Vec<LinkPair> = { self.mechanism.links() }
-            .filter(|(_, link)| curved.iter().any(|point| link.has(*point)))
+            .filter(|(id, link)| inflected.contains(id) || curved.iter().any(|point| link.has(*point)))
             .filter_map(|(id, _)| LinkPair::new(id, GROUND))
             .collect();
         let needed =
@@ -60,6 +66,7 @@ impl Writer<'_> {
             self.velocity_by_centers(velocity);
         }
         curved.iter().for_each(|point| self.curvature(*point));
+        inflected.iter().for_each(|link| self.inflection(*link));
         let centers = self.drawn_centers();
         let is_known = |point: &PointId| centers.curvatures.iter().any(|found| found.point == *point);
         centers.without_curvature = curved.iter().copied().filter(|point| !is_known(point)).collect();

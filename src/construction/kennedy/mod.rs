@@ -2,11 +2,12 @@
 //! them a second route beside the centres of the computed motion, with which they are compared.
 //!
 //! In reading order: `order` (which lines, and how few), `chain` (where they cross, and what is done where they do not suffice), `draw`, which
-//! writes the operations and steps, `velocity` (angular velocities and velocities by distances of centres), `curvature` (centres of curvature of paths), `symbol` and `told` (symbols, captions and equations).
+//! writes the operations and steps, `velocity` (angular velocities and velocities by distances of centres), `curvature` (centres of curvature of paths), `inflection` (inflection poles), `symbol` and `told` (symbols, captions and equations).
 
 pub mod chain;
 mod curvature;
 mod draw;
+mod inflection;
 pub mod order;
 mod symbol;
 mod told;
@@ -14,6 +15,7 @@ mod velocity;
 
 pub use curvature::{Curvature, CurvatureStep, KnownRay, PoleTangent};
 pub use draw::MOST_LINKS;
+pub use inflection::Inflection;
 pub use symbol::missing_of_centers;
 pub use velocity::{CenterVelocity, Push};
 
@@ -50,6 +52,8 @@ pub struct Centers {
     pub tangents: Vec<PoleTangent>,
     /// Centres of curvature of the paths of points.
     pub curvatures: Vec<Curvature>,
+    /// Inflection poles.
+    pub inflections: Vec<Inflection>,
     /// The points for whose paths they were asked for and cannot be drawn.
     pub without_curvature: Vec<PointId>,
 }
@@ -130,11 +134,14 @@ impl Center {
         !matches!(self.origin, CenterOrigin::Lines { .. })
     }
 
-    /// Names of the quantities that its place gives: its coordinates, where it is a centre of the mechanism itself that lines lead to, and not at infinity.
+    /// Names of the quantities that its place gives, where it is a centre of the mechanism itself that lines lead to: its coordinates, at infinity its direction.
     #[must_use]
     pub fn quantities(&self) -> Vec<String> {
-        let is_read = !self.is_permanent() && self.figure == FigureOf::Mechanism && self.place.finite().is_some();
-        let axes = if is_read { &["x", "y"][..] } else { &[] };
+        let axes = match self.place {
+            _ if self.is_permanent() || self.figure != FigureOf::Mechanism => &[][..],
+            Place::At(_) => &["x", "y"],
+            Place::AtInfinity(_) => &["angle"],
+        };
         axes.iter().map(|axis| format!("{}.{axis}", self.name)).collect()
     }
 

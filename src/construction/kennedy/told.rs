@@ -128,6 +128,22 @@ impl Teller<'_> {
                 _ => language.pole_tangent(&self.link_in_symbol(tangent.link), &pole, &a, &b),
             });
         }
+        if let CurvatureStep::InflectionPoint | CurvatureStep::InflectionPole = step {
+            let found = centers.inflections.get(index)?;
+            let tangent = centers.tangents.get(found.tangent)?;
+            let [pole, pin, fixed] =
+                [tangent.pole, tangent.rays[found.by].pin, tangent.rays[found.by].center].map(|id| self.symbol_of(id));
+            let is_pin = found.measured.is_empty();
+            return Some(match step {
+                CurvatureStep::InflectionPoint if is_pin => language.inflection_in_pin(&pin, &fixed),
+                CurvatureStep::InflectionPoint => language.inflection_point(&pole, &pin, &fixed),
+                _ => language.inflection_pole(
+                    &pole,
+                    &self.inflection_symbol(tangent.link),
+                    if is_pin { &pin } else { "J" },
+                ),
+            });
+        }
         let found = centers.curvatures.get(index)?;
         let tangent = centers.tangents.get(found.tangent)?;
         let (point, ray) = (display(self.mechanism.point_name(found.point)), tangent.rays[found.by]);
@@ -139,6 +155,11 @@ impl Teller<'_> {
             (_, Place::At(_)) => language.center_of_curvature(&point, &fixed, &under(&point, "0")),
             (_, Place::AtInfinity(_)) => language.path_inflection(&point, &fixed),
         })
+    }
+
+    /// The symbol of the inflection pole of a link.
+    fn inflection_symbol(&self, link: BodyId) -> String {
+        format!("W_{{{}}}", self.link_in_symbol(link))
     }
 
     fn permanent(&self, center: &Center) -> String {
@@ -206,6 +227,13 @@ impl Teller<'_> {
                     }
                 };
                 format!("v_{{{point}}} = {product}").into()
+            }
+            Action::Curvature { index, step: CurvatureStep::InflectionPoint } => {
+                let found = centers.inflections.get(*index).filter(|found| !found.measured.is_empty())?;
+                let tangent = centers.tangents.get(found.tangent)?;
+                let [pole, pin, fixed] = [tangent.pole, tangent.rays[found.by].pin, tangent.rays[found.by].center]
+                    .map(|id| self.symbol_of(id));
+                format!("{pin} J = {pin} {pole}^2 / {pin} {fixed}").into()
             }
             Action::Curvature { index, step: CurvatureStep::Center } => {
                 let found = centers.curvatures.get(*index)?;

@@ -2,8 +2,9 @@
 
 use super::CentersOnPaper;
 use crate::drawing::canvas::Canvas;
-use crate::drawing::clip::clipped_segment;
+use crate::drawing::clip::{clipped_segment, simplified};
 use crate::drawing::labels::LabelRequest;
+use crate::drawing::scheme::centrodes::around;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
 use crate::drawing::text::RichText;
@@ -61,6 +62,40 @@ impl CentersOnPaper<'_> {
             canvas.step = last;
             let symbol = under(&self.context.told(name, None), "0");
             self.dot(canvas, &format!("curvature-{name}"), &symbol, found.center);
+        }
+    }
+
+    /// Draws what leads to inflection poles, these, and the inflection circles.
+    pub(super) fn inflections(&self, canvas: &mut Canvas<'_>) {
+        let has_lines = self.context.figure().construction.has_lines();
+        for (index, found) in self.centers.inflections.iter().enumerate() {
+            let Some(tangent) = self.centers.tangents.get(found.tangent) else { continue };
+            let name = &self.context.mechanism().body(tangent.link).name;
+            let place = |id| self.centers.get(id).place;
+            let (pole, pin) = (place(tangent.pole), place(tangent.rays[found.by].pin));
+            let [own, last] = self.steps.inflections[index];
+            canvas.step = own;
+            if has_lines {
+                self.over(canvas, &format!("inflection-ray-{name}"), [pole, pin], found.point);
+            }
+            if !found.measured.is_empty() {
+                self.dot(canvas, &format!("inflection-point-{name}"), "J", found.point);
+            }
+            canvas.step = last;
+            if has_lines {
+                self.over(canvas, &format!("inflection-normal-{name}"), [found.point; 2], found.pole);
+                self.over(canvas, &format!("pole-normal-{name}"), [pole; 2], found.pole);
+            }
+            if let (Some(from), Some(to)) = (pole.finite(), found.pole.finite()) {
+                let [from, to] = [from, to].map(|at| self.view.at(at));
+                let (center, radius) = (from.midpoint(to), 0.5 * from.distance(to));
+                for (part, chain) in around(canvas.room(), center, radius).iter().enumerate() {
+                    let name = format!("inflection-circle-of-{name}-{}", part + 1);
+                    canvas.draw_named(&name, Pen::Construction, Shape::Polyline(simplified(chain)));
+                }
+            }
+            let [_, symbol] = self.context.ends_of_inflection_circle(tangent.link);
+            self.dot(canvas, &format!("inflection-pole-of-{name}"), &symbol, found.pole);
         }
     }
 

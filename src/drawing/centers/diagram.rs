@@ -9,11 +9,12 @@ use crate::drawing::sheet::Pen;
 use crate::drawing::text::{Anchor, CAPTION, PlacedText, RichText};
 use crate::geometry::direction_of_degrees;
 use crate::mechanism::BodyId;
-use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
+use kurbo::{Line, ParamCurveNearest, Point, Rect, Size, Vec2};
 
-/// Radii of the circle that are tried, in mm: the larger ones where there are more corners than in a square.
-const RADII: [f64; 6] = [18.0, 15.5, 13.0, 11.0, 9.0, 7.5];
+/// Radii of the circle that are tried, in mm: the larger ones where there are more corners than in a square, the largest where there are more than in a hexagon.
+const RADII: [f64; 8] = [25.0, 21.5, 18.0, 15.5, 13.0, 11.0, 9.0, 7.5];
 const FEW: usize = 4;
+const MANY: usize = 6;
 /// Room for the links' names around it, in mm.
 const NAMES: f64 = 4.6;
 /// Grid of the places that are tried, in mm.
@@ -24,7 +25,12 @@ const SIZE: f64 = 0.85 * CAPTION;
 /// Draws the diagram in the free place that is nearest to a corner of the panel; nothing where there is none.
 pub(super) fn draw(panel: &CentersOnPaper<'_>, canvas: &mut Canvas<'_>) {
     let links = &panel.centers.links;
-    let radii = RADII.into_iter().skip(if links.len() > FEW { 0 } else { 2 });
+    let too_large = match links.len() {
+        count if count > MANY => 0,
+        count if count > FEW => 2,
+        _ => 4,
+    };
+    let radii = RADII.into_iter().skip(too_large);
     let Some((centre, radius)) =
         radii.into_iter().find_map(|radius| Some((free_place(canvas, radius + NAMES)?, radius)))
     else {
@@ -49,7 +55,7 @@ pub(super) fn draw(panel: &CentersOnPaper<'_>, canvas: &mut Canvas<'_>) {
         .filter(|center| center.figure == FigureOf::Mechanism)
         .map(|center| center.pair.links().map(corner))
         .collect();
-    let mut numbers: Vec<Point> = Vec::new();
+    let mut numbers: Vec<Rect> = Vec::new();
     let mut number = 0;
     for (index, center) in panel.centers.all.iter().enumerate() {
         if center.figure != FigureOf::Mechanism {
@@ -63,31 +69,39 @@ pub(super) fn draw(panel: &CentersOnPaper<'_>, canvas: &mut Canvas<'_>) {
         }
         number += 1;
         canvas.draw(Pen::Construction, Shape::Line(a, b));
-        let at = place_of_number([a, b], &edges, &numbers);
-        numbers.push(at);
-        write(canvas, RichText::plain(&number.to_string()), SIZE, at);
+        let text = RichText::plain(&number.to_string());
+        let size = text.ink_box(SIZE).size();
+        let at = place_of_number([a, b], &edges, &numbers, size);
+        numbers.push(Rect::from_center_size(at, size));
+        write(canvas, text, SIZE, at);
     }
     canvas.step = 0;
     let room = radius + NAMES;
     canvas.obstacles.add_boxes([Rect::from_center_size(centre, (2.0 * room, 2.0 * room))]);
 }
 
-/// The place beside an edge that is farthest from other edges and numbers, or as far as need be.
-fn place_of_number([a, b]: [Point; 2], edges: &[[Point; 2]], numbers: &[Point]) -> Point {
-    /// Distance of a number from its edge, from other edges and from other numbers that is enough, in mm.
+/// The place beside an edge where a number of this size is farthest from other edges and numbers, or as far as need be.
+fn place_of_number([a, b]: [Point; 2], edges: &[[Point; 2]], numbers: &[Rect], size: Size) -> Point {
+    /// Distance of a number's middle from its edge and from other edges that is enough, and white between two numbers, in mm.
     const BESIDE: f64 = 1.5;
     const FROM_EDGES: f64 = 2.8;
-    const FROM_NUMBERS: f64 = 3.0;
-    const SHARES: [f64; 17] =
-        [0.5, 0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66, 0.3, 0.7, 0.26, 0.74, 0.22, 0.78, 0.18, 0.82];
+    const FROM_NUMBERS: f64 = 0.8;
+    const SHARES: [f64; 21] = [
+        0.5, 0.46, 0.54, 0.42, 0.58, 0.38, 0.62, 0.34, 0.66, 0.3, 0.7, 0.26, 0.74, 0.22, 0.78, 0.18, 0.82, 0.14, 0.86,
+        0.11, 0.89,
+    ];
     let along = (b - a).normalize();
     let beside = Vec2::new(-along.y, along.x) * BESIDE;
     let room = |at: &Point| {
         let others = edges.iter().filter(|edge| **edge != [a, b]);
         let from_edges = others.map(|[c, d]| Line::new(*c, *d).nearest(*at, 1e-6).distance_sq.sqrt());
         let from_edges = from_edges.fold(f64::INFINITY, f64::min) / FROM_EDGES;
-        let from_numbers =
-            numbers.iter().map(|number| (*number - *at).hypot()).fold(f64::INFINITY, f64::min) / FROM_NUMBERS;
+        // 1 where white is left beside or between them.
+        let apart = |number: &Rect| {
+            let (way, sizes) = (number.center() - *at, (number.size() + size) * 0.5);
+            (way.x.abs() / (sizes.width + FROM_NUMBERS)).max(way.y.abs() / (sizes.height + FROM_NUMBERS))
+        };
+        let from_numbers = numbers.iter().map(apart).fold(f64::INFINITY, f64::min);
         // A number over another is worse than one that touches an edge.
         from_edges.min(from_numbers * from_numbers).min(1.0)
     };

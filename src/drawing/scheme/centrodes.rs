@@ -76,7 +76,7 @@ fn within(room: Rect, chain: &[Point]) -> Vec<Vec<Point>> {
 }
 
 /// What of a circle is in a room, as chains of lines. Of one much larger than the room only the part that is near it is looked at.
-fn around(room: Rect, center: Point, radius: f64) -> Vec<Vec<Point>> {
+pub(in crate::drawing) fn around(room: Rect, center: Point, radius: f64) -> Vec<Vec<Point>> {
     let away = room.center() - center;
     let half = 0.5 * libm::hypot(room.width(), room.height());
     let (middle, spread) = match radius > 2.0 * half && away.hypot() > half {

@@ -1,7 +1,7 @@
 //! The scheme of the mechanism. From back to front: ghosts, areas, paths of points, cut lines, guides, the ground, links, blocks with the links
 //! on their pins, joints, special points, labels.
 
-mod centrodes;
+pub(super) mod centrodes;
 mod drives;
 mod links;
 mod loads;

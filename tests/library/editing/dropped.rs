@@ -53,3 +53,18 @@ fn labels_paths_and_quantities_go_too() {
     assert!(left.contains(r#""2": { "points": ["B"] }"#) && !left.contains("\"5\": {"), "{left}");
     assert!(left.contains(r#""near": { "D": [263, 300], "F": [338, 136] }"#), "{left}");
 }
+
+/// An empty list of centres would ask for none of them; without the key the usual ones are shown.
+#[test]
+fn the_last_named_centre_takes_its_key_along() {
+    let mut scene: serde_json::Value =
+        serde_json::from_str(include_str!("../../../templates/four-bar.json")).expect("a scene");
+    let dropped = |scene: &serde_json::Value| -> serde_json::Value {
+        let edit = Edit::DropLink { drop_link: "2".to_owned() };
+        serde_json::from_str(&apply(&scene.to_string(), &[edit]).expect("it can be dropped")).expect("a scene")
+    };
+    scene["figure"] = serde_json::json!({ "panels": ["scheme", "centers"], "centers": ["P(2,ground)", "P(1,2)"] });
+    assert!(dropped(&scene)["figure"].get("centers").is_none());
+    scene["figure"]["centers"] = serde_json::json!(["P(2,ground)", "P(1,3)"]);
+    assert_eq!(dropped(&scene)["figure"]["centers"], serde_json::json!(["P(1,3)"]));
+}

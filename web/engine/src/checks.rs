@@ -103,7 +103,9 @@ impl Desk {
             return Err(Refused::whole(says::tolerance(Tolerance::LARGEST)));
         }
         let language = self.language();
-        let solution = &*self.told(text)?;
+        let told = self.told(text)?;
+        let with_centers = measured.with_centers(&told);
+        let solution = with_centers.as_ref().unwrap_or(&told);
         let key = AnswerKey::new(solution, options.hand());
         let words = solution.wording();
         let scheme = options.marks.as_ref().map(|marks| {
