@@ -165,13 +165,30 @@ impl StepList<'_> {
         )
     }
 
-    /// A force, a couple or an arm that hands find, with its value and its band.
-    fn found(&self, name: &str) -> Option<String> {
-        let band = self.pencil.band(name)?;
-        let kind = QuantityName::parse(name)?.kind();
+    /// A force or a moment that hands find, with its value and its band.
+    fn force(&self, name: &str) -> Option<String> {
+        let Solution { mechanism, construction, .. } = self.solution;
+        let asked = QuantityRequest::new(name, mechanism).ok()?;
+        let value = asked.value(&self.solution.snapshot(), Some(construction), None).ok()?.as_number();
+        let symbol = shown_text(&asked.symbol(mechanism, &self.words.notation, &display), None, self.words);
+        let unit = asked.kind().unit(self.units);
+        Some(format!("{symbol} = {} {unit}{}", self.digits(value), self.band(name, &unit, None)))
+    }
+
+    /// The lines of a step of the force plan or a lever: its equation with the value, and what else it finds.
+    fn of_forces(&self, step: &NumberedStep<'_>, equation: String) -> Vec<String> {
+        let names = step.names();
+        if let Action::Force(ForceStep::Cross(..)) = step.action {
+            let sizes = names.iter().filter(|name| !name.ends_with(".angle"));
+            return [equation].into_iter().chain(sizes.filter_map(|name| self.force(name))).collect();
+        }
+        let Some((value, kind)) = self.teller.value_of_step(step.action) else { return vec![equation] };
         let unit = kind.unit(self.units);
-        let separator = if kind == QuantityKind::Angle { "" } else { " " };
-        Some(format!("{name} = {}{separator}{unit}{}", self.digits(band.value), self.band(name, &unit, None)))
+        let is_it = |name: &&String| QuantityName::parse(name).is_some_and(|name| name.kind() == kind);
+        let band = names.iter().find(is_it).map_or_else(String::new, |name| self.band(name, &unit, None));
+        let first = format!("{equation} = {} {unit}{band}", self.digits(value));
+        let further = names.iter().filter(|name| !is_it(name)).filter_map(|name| self.force(name));
+        [first].into_iter().chain(further).collect()
     }
 
     /// The band of a plan's segment.
@@ -308,30 +325,16 @@ impl StepList<'_> {
                 if equation.is_empty() {
                     return Vec::new();
                 }
-                if let Action::Force(ForceStep::Cross(..)) = step.action {
-                    return [equation]
-                        .into_iter()
-                        .chain(step.names().iter().filter_map(|name| self.found(name)))
-                        .collect();
+                if matches!(step.action, Action::Force(_) | Action::Lever(_)) {
+                    return self.of_forces(step, equation);
                 }
                 let names = step.names();
-                let value = self.teller.value_of_step(step.action);
-                if matches!(step.action, Action::Force(_) | Action::Lever(_)) {
-                    let value = value.map(|(value, kind)| {
-                        let unit = kind.unit(self.units);
-                        let is_it = |name: &&String| QuantityName::parse(name).map(|name| name.kind()) == Some(kind);
-                        let band =
-                            { names.iter().find(is_it) }.map_or_else(String::new, |name| self.band(name, &unit, None));
-                        format!(" = {} {unit}{band}", self.digits(value))
-                    });
-                    return vec![equation + &value.unwrap_or_default()];
-                }
                 // The distances that are measured for it come before it, the direction of a velocity after it.
                 let is_length = |name: &&String| {
                     QuantityName::parse(name).is_some_and(|name| matches!(name.head, Head::Between(_)))
                 };
                 let (measured, found): (Vec<&String>, Vec<&String>) = names.iter().partition(is_length);
-                let value = value.map(|(value, kind)| {
+                let value = self.teller.value_of_step(step.action).map(|(value, kind)| {
                     let unit = kind.unit(self.units);
                     let band = found.first().map_or_else(String::new, |name| self.band(name, &unit, None));
                     format!(" = {} {unit}{band}", self.digits(value))
