@@ -45,7 +45,8 @@ fn wheels_have_true_rates_and_centres() {
         let mut scene = case["scene"].clone();
         let centers: Vec<&str> = entries(&case["expected"]["centers"]).map(|(name, _)| name).collect();
         scene["want"] = json!(centers);
-        let wanted = serde_json::to_value(solution(&scene).result()).expect("a result is JSON");
+        let wanted =
+            serde_json::to_value(solution(&scene).whole_result().expect("it has values")).expect("a result is JSON");
         let mut see = |what: &str, found: &Value, error: &Value, truth: &Value| {
             assert!(found.is_number(), "{}: {what} is {found}", case["id"]);
             let (off, stated) = (off(found, truth), error.as_f64().unwrap_or_else(|| panic!("{what} has no bound")));
