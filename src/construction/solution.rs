@@ -44,11 +44,7 @@ impl Solution {
             ConstructionShown::Paper => Extent::Rates,
             ConstructionShown::Whole | ConstructionShown::Hidden => Extent::Points,
         };
-        let mut construction = construct(&mechanism, &pose, &motion, extent);
-        if scene.figure.shown_panels().contains(&Sheet::Centers) {
-            construction = with_centers(&scene.figure, (&mechanism, &pose, &motion), construction);
-        }
-        construction = with_forces(&scene.figure, (&mechanism, &pose, &motion), construction);
+        let construction = asked_construction(&scene.figure, (&mechanism, &pose, &motion), extent);
         // A work sheet is drawn on.
         let turned = scene.figure.turned.filter(|_| !scene.figure.worksheet);
         let turned = turned.map(|sense| Box::new(construction.turned(sense)));
@@ -123,6 +119,19 @@ pub fn construct(mechanism: &Mechanism, pose: &Pose, motion: &Motion, extent: Ex
     writer.construction
 }
 
+/// The construction with all that a figure asks for beside the plans.
+pub(crate) fn asked_construction(
+    figure: &Figure,
+    (mechanism, pose, motion): (&Mechanism, &Pose, &Motion),
+    extent: Extent,
+) -> Construction {
+    let mut construction = construct(mechanism, pose, motion, extent);
+    if figure.shown_panels().contains(&Sheet::Centers) {
+        construction = with_centers(figure, (mechanism, pose, motion), construction);
+    }
+    with_forces(figure, (mechanism, pose, motion), construction)
+}
+
 /// A construction with the instant centres and the velocities by centres that a figure asks for.
 fn with_centers(
     figure: &Figure,
@@ -145,11 +154,16 @@ fn with_centers(
     let mut writer = Writer::continued(mechanism, pose, motion, construction);
     let inflected: Vec<BodyId> = figure.inflection.iter().filter_map(|link| mechanism.link(link)).collect();
     writer.centers(&wanted, &points(&figure.velocities), &points(&figure.curvature), &inflected);
+    writer.construction.by_hand = drawn_by_hand(figure);
+    writer.construction
+}
+
+/// The sheets that a hand draws for a figure with centres or forces, and those that these need.
+fn drawn_by_hand(figure: &Figure) -> Vec<Sheet> {
     // On a scheme beside the centres nothing is drawn.
     let drawn: Vec<Sheet> = figure.shown_panels().into_iter().filter(|sheet| *sheet != Sheet::Scheme).collect();
     let needed = |sheet: &Sheet| drawn.iter().any(|drawn| drawn.with_those_needed().contains(sheet));
-    writer.construction.by_hand = Sheet::ALL.into_iter().filter(needed).collect();
-    writer.construction
+    Sheet::ALL.into_iter().filter(needed).collect()
 }
 
 /// A construction with the force plan and the levers that a figure asks for; without loads, and in a singular position, there are none.
@@ -168,6 +182,7 @@ fn with_forces(
     if panels.contains(&Sheet::Lever) {
         writer.construction.levers = levers(&mut writer, &computed);
     }
+    writer.construction.by_hand = drawn_by_hand(figure);
     writer.construction
 }
 
