@@ -68,7 +68,7 @@ fn vary(scene: &mut Value, random: &mut Random) {
     each_number(scene, &mut |number, x| match number {
         Number::Length | Number::Motion | Number::Direction | Number::Turning => x * (1.0 + 0.125 * random.within()),
         Number::DriveAngle => x + 20.0 * random.within(),
-        Number::DrivePosition | Number::DriveRate => x,
+        Number::DrivePosition | Number::DriveRate | Number::Load => x,
     });
     if let Some(object) = scene.as_object_mut() {
         object.shift_remove("figure");

@@ -122,7 +122,7 @@ fn changed(scene: &Json, way: Changed, random: &mut Random) -> Json {
         Number::DriveAngle => x + way.turn * random.within(),
         // Rates that are equal in size may have a meaning together only where they are zero.
         Number::Motion | Number::Turning | Number::DriveRate => x * (1.2 + 0.3 * random.within()),
-        Number::Direction => x,
+        Number::Direction | Number::Load => x,
     };
     if let Some(links) = scene.get_mut("links").and_then(Json::as_object_mut) {
         for (name, link) in links.iter_mut() {

@@ -59,8 +59,13 @@ pub(super) fn lesson(model: &Model, entries: &[Entry], candidate: &Candidate, ot
     };
     let before = changes(&mut others.iter().copied());
     let behind = changes(&mut others.iter().copied().chain([candidate]));
+    // What no name tells cannot be worked out before a student.
+    let is_named = |worked: &Worked| {
+        let factors = worked.sum.iter().chain(&worked.over);
+        factors.flat_map(|factors| &factors.of).all(|(name, _)| !name.is_empty())
+    };
     Lesson {
-        worked: candidate.edits.first().and_then(|edit| worked(model, entries, edit.operation)),
+        worked: candidate.edits.first().and_then(|edit| worked(model, entries, edit.operation)).filter(is_named),
         off: (candidate.mistake() == Mistake::Unknown).then(|| off(model, candidate, &before)).flatten(),
         redo: Some(redo(model, [&before, &behind], candidate)),
     }

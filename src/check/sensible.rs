@@ -73,6 +73,8 @@ fn size(key: &AnswerKey<'_>, sheet: Sheet) -> f64 {
         None if sheet == Sheet::Scheme || sheet == Sheet::Centers && construction.centers.is_some() => {
             span(key.solution.pose.points.iter().copied())
         }
+        None if sheet == Sheet::Forces => construction.forces.as_ref().map_or(0.0, |plan| span(plan.corners())),
+        None if sheet == Sheet::Lever => span(construction.levers.iter().flat_map(|lever| lever.places())),
         None => 0.0,
     }
 }

@@ -214,8 +214,15 @@ impl Construction {
             NumberKind::SpeedByCenters(point) => format!("v({}).size", mechanism.point_name(*point)),
             NumberKind::RateByCenters(link) => Rate::Angular(Order::Velocity, *link).name(mechanism),
             NumberKind::Reading(name) => name.clone(),
-            NumberKind::Size | NumberKind::Force | NumberKind::Arm | NumberKind::Moment => String::new(),
+            NumberKind::Force | NumberKind::Moment => self.name_of_force(mechanism, number).unwrap_or_default(),
+            NumberKind::Size | NumberKind::Arm => String::new(),
         }
+    }
+
+    /// The name of a force or a moment that the force plan or a lever finds.
+    fn name_of_force(&self, mechanism: &Mechanism, number: NumberId) -> Option<String> {
+        let on_lever = self.levers.iter().find_map(|lever| lever.number_name(number));
+        on_lever.or_else(|| self.forces.as_ref()?.number_name(mechanism, number))
     }
 
     /// The name of the joint or special point at an end of a length.
@@ -238,13 +245,23 @@ impl Construction {
         let steps = self.steps.iter().flat_map(|(sheet, actions)| actions.iter().map(move |action| (sheet, action)));
         (1..).zip(steps).map(|(number, (sheet, action))| {
             let plan = self.plan_on(sheet);
-            NumberedStep { number, sheet, plan, centers: self.centers.as_deref(), action }
+            NumberedStep {
+                number,
+                sheet,
+                plan,
+                centers: self.centers.as_deref(),
+                forces: self.forces.as_deref(),
+                levers: &self.levers,
+                action,
+            }
         })
     }
 
     /// The steps on the sheets that a hand draws.
     pub fn steps_by_hand(&self) -> impl Iterator<Item = NumberedStep<'_>> {
-        self.numbered_steps().filter(|step| self.by_hand.contains(&step.sheet))
+        // The steps on the scheme lead to the plans.
+        let is_drawn = |sheet| self.by_hand.contains(&sheet) && (sheet != Sheet::Scheme || self.draws_plans());
+        self.numbered_steps().filter(move |step| is_drawn(step.sheet))
     }
 
     /// Whether a hand draws a plan.
@@ -267,7 +284,15 @@ impl Construction {
             match actions.get(index) {
                 Some(action) => {
                     let (plan, centers) = (self.plan_on(sheet), self.centers.as_deref());
-                    return Some(NumberedStep { number, sheet, plan, centers, action });
+                    return Some(NumberedStep {
+                        number,
+                        sheet,
+                        plan,
+                        centers,
+                        forces: self.forces.as_deref(),
+                        levers: &self.levers,
+                        action,
+                    });
                 }
                 None => index -= actions.len(),
             }

@@ -10,7 +10,7 @@ use super::sentence::Teller;
 use super::step::{Action, NOTHING};
 use super::writer::Writer;
 use crate::forces::{Driven, Forces, lever_states};
-use crate::geometry::{Ball, Number, Pair, Vector, unit};
+use crate::geometry::{Ball, Number, Pair, Point, Vector, unit};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::motion::State;
 use crate::sheet::{Order, QuantityKind, Sheet};
@@ -37,8 +37,25 @@ pub struct Lever {
     pub forces: Vec<LeverForce>,
     /// What the drive needs: torque, or force along the guide.
     pub effort: f64,
+    /// The name of that quantity.
+    pub(super) name: String,
+    /// By load that is put on it: its power, and the name of that, if the lever moves as the mechanism does.
+    pub(crate) powers: Vec<LoadPower>,
     /// The same as a number of the construction.
     pub(super) number: NumberId,
+}
+
+/// The power of a load on a lever: the moments of its forces about the pole.
+#[derive(Clone, Debug)]
+pub(crate) struct LoadPower {
+    /// The load, by its index.
+    pub load: usize,
+    /// Its power.
+    pub number: NumberId,
+    /// The last of its forces on the lever.
+    pub last: Option<usize>,
+    /// The name of the quantity; none where the lever moves at a rate of its own.
+    pub name: Option<String>,
 }
 
 /// A force on a lever.
@@ -58,6 +75,10 @@ pub struct LeverForce {
     pub size: f64,
     /// Its arm, positive where it turns the lever counter-clockwise.
     pub arm: f64,
+    /// Size and arm as numbers of the construction.
+    pub(crate) numbers: [NumberId; 2],
+    /// Where it acts, as a place of the construction.
+    pub(crate) place: PlaceId,
 }
 
 /// What is done in a step of a lever; levers and forces by their indices.
@@ -142,10 +163,12 @@ impl Writer<'_> {
             links.push((body, own.points.iter().map(at).collect::<Vec<_>>()));
         }
         self.finish(step, Action::Lever(LeverStep::Turn(index)));
-        let mut sum = Vec::new();
-        let mut forces = Vec::new();
+        let mut powers = Vec::new();
+        let mut forces: Vec<LeverForce> = Vec::new();
+        let is_own_rate = drive.rate(mechanism) == Some(rate) && index == 0;
         for (load, acting) in computed.acting.iter().enumerate() {
             let mut put: Vec<Put> = Vec::new();
+            let mut of_load: Vec<Product> = Vec::new();
             let force = acting.force.rounded();
             // What rounding leaves of none has no direction, and no power to speak of.
             if force.norm() > CERTAIN * acting.force.errors().norm()
@@ -163,27 +186,37 @@ impl Writer<'_> {
                         put.extend(self.couple_on_lever(load, acting.couple, places, images));
                     }
                     // A link that is one point on the drawing.
-                    None => sum
+                    None => of_load
                         .extend(self.power_of_couple(acting.couple, state.body(acting.body).omega * Ball::from(rate))),
                 }
             }
             for put in put {
                 let step = self.begin(Sheet::Lever);
                 let (found, product) = self.arm_on_lever(pole, &put)?;
-                sum.extend(product);
+                of_load.extend(product);
                 forces.push(found);
                 self.finish(step, Action::Lever(LeverStep::Arm(index, forces.len() - 1)));
+            }
+            if !of_load.is_empty() {
+                let number = self.compute(Sheet::Lever, NumberKind::Moment, of_load);
+                let last = forces.iter().rposition(|force| force.load == load);
+                let name = is_own_rate.then(|| format!("power({})", acting.source.name(mechanism, acting.body)));
+                powers.push(LoadPower { load, number, last, name });
             }
         }
         let step = self.begin(Sheet::Lever);
         let rate_number = self.take(true, Sheet::Lever, NumberKind::Size, rate)?;
         let left = vec![(0, Product::plain(rate_number))];
-        let right = sum.iter().map(|product: &Product| product.times(-1.0)).collect();
+        let right = powers.iter().map(|power| Product::plain(power.number).times(-1.0)).collect();
         let found = self.solve(Sheet::Lever, vec![NumberKind::Moment], vec![Equation { left, right }])?;
         let number = *found.first()?;
         self.finish(step, Action::Lever(LeverStep::Effort(index)));
         let effort = self.construction.record.exact.numbers[number.0].high;
-        Some(Lever { drive, rate, pole: Vector::zeros(), links, forces, effort, number })
+        let name = match drive {
+            Driven::Body(body) => format!("T({})", mechanism.body(body).name),
+            Driven::Slider(slider) => format!("F({})", mechanism.slider_name(slider)),
+        };
+        Some(Lever { drive, rate, pole: Vector::zeros(), links, forces, effort, name, powers, number })
     }
 
     /// The two forces of a couple at the images of two points: each is the couple over their distance, normal to their line.
@@ -260,6 +293,8 @@ impl Writer<'_> {
             foot,
             size,
             arm: length,
+            numbers: [put.size, arm],
+            place,
         };
         Some((found, Some(Product::new(ProductKind::Moment, 1.0, &[put.size, arm]))))
     }
@@ -289,6 +324,30 @@ impl Lever {
     pub fn shows(&self, force: &LeverForce) -> bool {
         let largest = self.forces.iter().map(|force| force.size).fold(0.0, f64::max);
         force.size > NOTHING * largest
+    }
+
+    /// The places on it, in units of velocity.
+    pub(crate) fn places(&self) -> impl Iterator<Item = Point> + Clone {
+        let images = self.links.iter().flat_map(|(_, images)| images.iter().map(|(_, at)| *at));
+        images.chain(self.forces.iter().map(|force| force.at)).chain([self.pole]).map(Point::from)
+    }
+
+    /// The names of what a step of it finds.
+    pub(super) fn names(&self, step: LeverStep) -> Vec<String> {
+        match step {
+            LeverStep::Turn(_) => Vec::new(),
+            LeverStep::Effort(_) => vec![self.name.clone()],
+            LeverStep::Arm(_, force) => {
+                let found = self.powers.iter().filter(|power| power.last == Some(force));
+                found.filter_map(|power| power.name.clone()).collect()
+            }
+        }
+    }
+
+    /// The name of what a number of it is.
+    pub(super) fn number_name(&self, number: NumberId) -> Option<String> {
+        let power = self.powers.iter().find(|power| power.number == number);
+        if number == self.number { Some(self.name.clone()) } else { power?.name.clone() }
     }
 
     /// Its number, with the bound of its error.
@@ -344,7 +403,8 @@ impl Teller<'_> {
         Some(match *step {
             LeverStep::Turn(_) => Formula::default(),
             LeverStep::Arm(index, force) => {
-                format!("{} · h", self.lever_symbol(levers.get(index)?.forces.get(force)?)).into()
+                let symbol = self.lever_symbol(levers.get(index)?.forces.get(force)?);
+                format!("{symbol} · h {}", Sheet::Lever.facts().scale_symbol).into()
             }
             LeverStep::Effort(index) => {
                 let lever = levers.get(index)?;
@@ -360,6 +420,15 @@ impl Teller<'_> {
 
     /// The number that such a step finds, and its kind.
     pub(super) fn value_of_lever(&self, action: &Action) -> Option<(f64, QuantityKind)> {
+        if let Action::Lever(LeverStep::Arm(index, force)) = action {
+            // Of a load with several forces no one of them has its power.
+            let lever = self.construction.levers.get(*index)?;
+            let load = lever.forces.get(*force)?.load;
+            let is_alone = lever.forces.iter().filter(|other| other.load == load).count() == 1;
+            let power = lever.powers.iter().find(|power| power.load == load && power.name.is_some());
+            let power = power.filter(|_| is_alone)?;
+            return Some((self.construction.record.exact.numbers[power.number.0].high, QuantityKind::Power));
+        }
         let Action::Lever(LeverStep::Effort(index)) = action else { return None };
         let lever = self.construction.levers.get(*index)?;
         let kind = if matches!(lever.drive, Driven::Body(_)) { QuantityKind::Moment } else { QuantityKind::Force };

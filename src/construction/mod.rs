@@ -87,6 +87,7 @@ pub use passage::{Aim, Passage};
 pub use polygon::{
     ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint, Polygon, Side, SideKind,
 };
+pub(crate) use polygon::{FoundForce, FoundNumbers};
 pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::{PlanVector, Teller};
 pub(crate) use solution::asked_construction;

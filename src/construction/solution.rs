@@ -154,11 +154,16 @@ fn with_centers(
     let mut writer = Writer::continued(mechanism, pose, motion, construction);
     let inflected: Vec<BodyId> = figure.inflection.iter().filter_map(|link| mechanism.link(link)).collect();
     writer.centers(&wanted, &points(&figure.velocities), &points(&figure.curvature), &inflected);
+    writer.construction.by_hand = drawn_by_hand(figure);
+    writer.construction
+}
+
+/// The sheets that a hand draws for a figure with centres or forces, and those that these need.
+fn drawn_by_hand(figure: &Figure) -> Vec<Sheet> {
     // On a scheme beside the centres nothing is drawn.
     let drawn: Vec<Sheet> = figure.shown_panels().into_iter().filter(|sheet| *sheet != Sheet::Scheme).collect();
     let needed = |sheet: &Sheet| drawn.iter().any(|drawn| drawn.with_those_needed().contains(sheet));
-    writer.construction.by_hand = Sheet::ALL.into_iter().filter(needed).collect();
-    writer.construction
+    Sheet::ALL.into_iter().filter(needed).collect()
 }
 
 /// A construction with the force plan and the levers that a figure asks for; without loads, and in a singular position, there are none.
@@ -177,6 +182,7 @@ fn with_forces(
     if panels.contains(&Sheet::Lever) {
         writer.construction.levers = levers(&mut writer, &computed);
     }
+    writer.construction.by_hand = drawn_by_hand(figure);
     writer.construction
 }
 

@@ -2,8 +2,8 @@
 
 use super::cut::SpecialId;
 use super::kennedy::{CenterId, CenterLine, Centers, CurvatureStep, FigureOf};
-use super::lever::LeverStep;
-use super::polygon::ForceStep;
+use super::lever::{Lever, LeverStep};
+use super::polygon::{ForcePlan, ForceStep};
 use crate::centers::LinkPair;
 use crate::geometry::Vector;
 use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
@@ -172,6 +172,10 @@ pub struct NumberedStep<'a> {
     pub plan: Option<&'a Plan>,
     /// The instant centres, where there are some.
     pub centers: Option<&'a Centers>,
+    /// The force plan, where there is one.
+    pub forces: Option<&'a ForcePlan>,
+    /// The levers, where there are some.
+    pub levers: &'a [Lever],
     /// What is done.
     pub action: &'a Action,
 }
@@ -202,9 +206,12 @@ impl NumberedStep<'_> {
             Action::PermanentCenters
             | Action::CenterLine { .. }
             | Action::LeaveOut { .. }
-            | Action::CentersByRates(_)
-            | Action::Force(_)
-            | Action::Lever(_) => Vec::new(),
+            | Action::CentersByRates(_) => Vec::new(),
+            Action::Force(step) => self.forces.map_or_else(Vec::new, |plan| plan.names(step)),
+            Action::Lever(step) => {
+                let (LeverStep::Turn(index) | LeverStep::Arm(index, _) | LeverStep::Effort(index)) = *step;
+                self.levers.get(index).map_or_else(Vec::new, |lever| lever.names(*step))
+            }
             action => {
                 let image = self.plan.zip(action.image());
                 image.map(|(plan, point)| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()

@@ -272,7 +272,7 @@ impl<'a> Writer<'a> {
         line
     }
 
-    pub(super) fn draw(
+    pub(crate) fn draw(
         &mut self,
         sheet: impl Into<Sheet>,
         role: OperationRole,
@@ -362,7 +362,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Solves linear equations for rates; `None` where they are singular.
-    pub(super) fn solve(
+    pub(crate) fn solve(
         &mut self,
         sheet: impl Into<Sheet>,
         kinds: Vec<NumberKind>,

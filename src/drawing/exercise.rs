@@ -5,8 +5,10 @@ use super::canvas::Canvas;
 use super::centers;
 use super::compose::{Composition, further_sheets};
 use super::context::{Purpose, SheetContext};
+use super::forces;
 use super::labels::LabelRequest;
 use super::layout::{Needs, Placed};
+use super::lever;
 use super::lines::{Line, Lines};
 use super::panel::{Frame, Panel, content, extents, panels};
 use super::plan::on_paper::extent;
@@ -21,7 +23,7 @@ use crate::construction::{Plan, Solution};
 use crate::geometry;
 use crate::quantity::QuantityRequest;
 use crate::scene::{ConstructionShown, Page, PageSize, ValuesShown};
-use crate::sheet::{PerSheet, Scales, Sheet};
+use crate::sheet::{Order, PerSheet, Scales, Sheet};
 use kurbo::{Point, Rect};
 
 /// Smallest size of a table beside the scheme with markers, in parts of its usual size.
@@ -108,7 +110,9 @@ fn student_sheet<'a>(
     let sheet = Composition::new(context, panels(context, &alone, |sheet| vec![content(context, sheet)]));
     let has_plans = context.construction().draws_plans();
     let paper = match plans_follow {
-        true if !has_plans => Some(context.words.language.exercise_center_sheet().to_owned()),
+        true if !has_plans && context.construction().centers.is_some() => {
+            Some(context.words.language.exercise_center_sheet().to_owned())
+        }
         true => Some(context.words.language.exercise_sheets().to_owned()),
         false => context.note_on_paper(),
     };
@@ -192,7 +196,9 @@ fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, first: u16) -> 
     let is_wanted = |sheet: &Sheet| shown.contains(sheet) && mu[*sheet].is_some();
     let plans = context.construction().plans().map(Plan::sheet);
     let centers = context.construction().centers.iter().map(|_| Sheet::Centers);
-    let plans: Vec<Sheet> = plans.chain(centers).filter(is_wanted).collect();
+    let forces =
+        [Sheet::Forces, Sheet::Lever].into_iter().filter(|sheet| context.construction().by_hand.contains(sheet));
+    let plans: Vec<Sheet> = plans.chain(centers).chain(forces).filter(is_wanted).collect();
     let sheet = |page: Page, plans: &[Sheet], number: u16| {
         sheet_of_plans(&context.on_page(page, mu).with_markers(), plans, number, name, None)
     };
@@ -277,10 +283,30 @@ fn panel_of_centers<'a>(context: &'a SheetContext<'a>) -> Panel<'a> {
     Panel { language, ..Panel::plain(name, Sheet::Centers.as_str(), needs, frame, vec![Box::new(layer)]) }
 }
 
+/// The panel of force polygons or of a lever as a student gets it: empty, but for the poles of levers.
+fn panel_of_forces<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Option<Panel<'a>> {
+    let own = if sheet == Sheet::Lever { lever::extent(context) } else { forces::extent(context) };
+    let name = context.words.language.sheet(sheet);
+    let frame = Frame::new(Line::new(vec![RichText::plain(name)]), Pen::Heading).with_scale(context);
+    let needs = Needs { mu: context.surface.mu[sheet], white: AROUND_PLAN, ..frame.needs(context, sheet, own?) };
+    let layer = move |canvas: &mut Canvas<'_>, view: &View| {
+        for own in context.construction().levers.iter().filter(|_| sheet == Sheet::Lever) {
+            let (center, radius) = (view.at(geometry::Point::from(own.pole)), 2.0 * context.surface.dims.dot);
+            canvas.draw_named("point-p", Pen::Pole, Shape::Circle { center, radius });
+            let name = RichText::math(context.words.notation.pole(Order::Velocity));
+            canvas.ask("p-", LabelRequest::new(name, center, radius + 0.7, None, 2));
+        }
+    };
+    let language = Some(context.words.language);
+    Some(Panel { language, ..Panel::plain(name, sheet.as_str(), needs, frame, vec![Box::new(layer)]) })
+}
+
 /// The empty panel of a plan.
 fn panel<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Option<Panel<'a>> {
-    if sheet == Sheet::Centers {
-        return Some(panel_of_centers(context));
+    match sheet {
+        Sheet::Centers => return Some(panel_of_centers(context)),
+        Sheet::Forces | Sheet::Lever => return panel_of_forces(context, sheet),
+        _ => {}
     }
     let plan = context.plan(sheet)?;
     let name = context.words.language.sheet(sheet);

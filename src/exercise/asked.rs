@@ -2,7 +2,7 @@
 
 use crate::construction::Solution;
 use crate::drawing::KeyRow;
-use crate::quantity::{QuantityKind, QuantityRequest, What};
+use crate::quantity::{ForceOf, QuantityKind, QuantityRequest, What};
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 /// nothing.
 pub const MEASURABLE: f64 = 0.25;
 
-/// Most that a careful hand may be off by in the direction of a velocity, in degrees.
+/// Most that a careful hand may be off by in the direction of a velocity or a force, in degrees.
 const DIRECTION: f64 = 10.0;
 
 /// Most boxes of an exercise that asks for all that a hand can measure: more are an evening's copying, and say little that the others do not.
@@ -27,7 +27,7 @@ pub(super) fn to_ask(rows: &[KeyRow<'_>], solution: &Solution) -> IndexMap<Strin
         row.allowed.is_some_and(|allowed| match (&row.asked.what, row.asked.kind()) {
             // Of a coordinate the place counts, of a direction the turn, not how near zero they are.
             (What::Pole(_), _) => true,
-            (What::Motion(..), QuantityKind::Angle) => allowed <= DIRECTION,
+            (What::Motion(..) | What::Force(..), QuantityKind::Angle) => allowed <= DIRECTION,
             _ => allowed <= MEASURABLE * row.value.abs(),
         })
     };
@@ -77,7 +77,8 @@ impl<'a> Ends<'a> {
     }
 }
 
-/// What a value is usually worth, in marks: two where it is a result, as every rate is, one where it leads to one.
+/// What a value is usually worth, in marks: two where it is a result, as every rate and what a drive needs are, one where it leads to one.
 fn usual(asked: &QuantityRequest) -> f64 {
-    if matches!(asked.what, What::Rate(_)) { RESULT } else { 1.0 }
+    let is_effort = matches!(&asked.what, What::Force(ForceOf::Torque(_) | ForceOf::Push(_), _));
+    if is_effort || matches!(asked.what, What::Rate(_)) { RESULT } else { 1.0 }
 }

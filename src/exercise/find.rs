@@ -1,5 +1,6 @@
 //! Tries random variants of a scene until one is an exercise.
 
+use super::forces;
 use super::judge::{Exercise, Refusal, key_page};
 use super::says;
 use super::vary::{OnGuide, length_step, varied};
@@ -107,10 +108,10 @@ impl Exercises {
         let base: Value = base.expect("a scene is JSON");
         let is_page_open = page.is_none() && base["figure"]["page"].is_null();
         let figure = Figure {
-            // The plans, unless the figure asks for instant centres.
-            panels: match construction.centers {
-                Some(_) => scene.figure.shown_panels(),
-                None => Sheet::USUAL.to_vec(),
+            // The plans, unless the figure asks for instant centres or forces.
+            panels: match construction.centers.is_some() || forces::has_forces(solution) {
+                true => scene.figure.shown_panels(),
+                false => Sheet::USUAL.to_vec(),
             },
             step: None,
             special_points: true,

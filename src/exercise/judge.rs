@@ -2,6 +2,7 @@
 
 use super::asked::to_ask;
 use super::centers;
+use super::forces;
 use super::says;
 use super::sheets::{key_rows, sentences};
 use crate::check::{BANDS, asked_names, form_names};
@@ -87,6 +88,16 @@ pub enum Refusal {
     CenterDistance,
     /// An instant centre is not found well.
     CenterUnsure,
+    /// Directions of forces, or lines about whose crossing moments are taken, cross under small angles.
+    ForcesCross,
+    /// A force is too short on paper.
+    ForceShort,
+    /// An arm is too short on paper.
+    ArmShort,
+    /// A force is much smaller than another one.
+    ForcesUnequal,
+    /// A force or a moment is not found well.
+    ForceUnsure,
     /// An earlier exercise has the same numbers.
     Same,
 }
@@ -109,6 +120,11 @@ impl Refusal {
             Refusal::CentersClose => says::centers_close(),
             Refusal::CenterDistance => says::center_distance(),
             Refusal::CenterUnsure => says::center_unsure(),
+            Refusal::ForcesCross => says::forces_cross(),
+            Refusal::ForceShort => says::force_short(),
+            Refusal::ArmShort => says::arm_short(),
+            Refusal::ForcesUnequal => says::forces_unequal(),
+            Refusal::ForceUnsure => says::force_unsure(),
             Refusal::Same => says::same(),
         }
     }
@@ -145,7 +161,7 @@ impl Exercise {
         let expected = pencil(&solution, &solution.scales(), Tolerance::default(), quantities.clone());
         let mut scales = key_scales(&solution, &key_rows(&solution, &expected)).ok_or(Refusal::Sheet)?;
         if solution.scene.figure.mu[Sheet::Scheme].is_none() {
-            let given = sentences(&solution.scene, &scales);
+            let given = sentences(&solution, &scales);
             let mu = exercise_scale(&students, &quantities, &given);
             scales[Sheet::Scheme] = if mu > scales[Sheet::Scheme] { mu } else { scales[Sheet::Scheme] };
         }
@@ -159,10 +175,12 @@ impl Exercise {
             return Err(Refusal::Sheet);
         }
         centers::are_clear(&solution, &scales)?;
+        forces::are_clear(&solution.construction, &scales)?;
         let mut pencil = pencil(&solution, &scales, Tolerance::default(), quantities.clone());
         let rows = key_rows(&solution, &pencil);
         is_sure(&rows)?;
         centers::are_sure(&rows, &scales)?;
+        forces::are_sure(&rows)?;
         key_scales(&solution, &rows).ok_or(Refusal::Sheet)?;
         // Whether a variant is an exercise does not hang on what it asks for.
         let names = asked_names(&solution);
@@ -171,7 +189,7 @@ impl Exercise {
         let to_ask = to_ask(&asked, &solution);
         pencil.quantities.retain(|(quantity, _)| names.iter().any(|name| name == quantity.name()));
         let quantities: Vec<QuantityRequest> = pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
-        let given = sentences(&solution.scene, &scales);
+        let given = sentences(&solution, &scales);
         let sheet = exercise_sheet(&students, &quantities, &given).ok_or(Refusal::Sheet)?;
         let has_markers = students.scene.figure.has_markers();
         Ok(Exercise { text: text.to_owned(), scales, pencil, sheet, solution, to_ask, page, has_markers })
@@ -188,7 +206,7 @@ impl Exercise {
             return vec![self.sheet.clone()];
         }
         let students = for_students(&self.solution, self.page);
-        let given = sentences(&students.scene, &self.scales);
+        let given = sentences(&students, &self.scales);
         // A variant whose scheme has no room between the markers stays an exercise: its first sheet is without them, and
         // the numbers of a seed do not hang on what sheets look like.
         drawing_sheets(&students, &self.scales, name, &self.asked(), &given)
@@ -197,7 +215,7 @@ impl Exercise {
     /// The sentences of the student's sheet with all given numbers and the scales of the plans.
     #[must_use]
     pub fn given(&self) -> Vec<RichText> {
-        let sentences = sentences(&self.solution.scene, &self.scales);
+        let sentences = sentences(&self.solution, &self.scales);
         sentences.iter().map(|sentence| RichText::plain(sentence)).collect()
     }
 
@@ -249,6 +267,7 @@ fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
         }
     }
     centers::are_constructed(construction)?;
+    forces::are_constructed(construction)?;
     let sines = construction.steps_by_hand().filter_map(|s| match &s.action {
         Action::Cross { sine, .. } | Action::SpecialPoint { sine, .. } => Some(sine.abs()),
         Action::Center(id) => centers::sine(construction, *id),

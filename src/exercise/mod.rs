@@ -16,6 +16,8 @@
 mod asked;
 mod centers;
 mod find;
+mod forces;
+mod given;
 mod judge;
 mod key;
 #[doc(hidden)] // for tests

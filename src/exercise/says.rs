@@ -19,6 +19,11 @@ messages! { "exercise":
     centers_close;
     center_distance;
     center_unsure;
+    forces_cross;
+    force_short;
+    arm_short;
+    forces_unequal;
+    force_unsure;
     same;
     numbered(most);
     no_such;

@@ -38,7 +38,7 @@ impl Solution {
         let names = asked_names(&own);
         let asked: Vec<QuantityRequest> =
             names.iter().filter_map(|name| QuantityRequest::new(name, &own.mechanism).ok()).collect();
-        let given = sentences(&own.scene, &scales);
+        let given = sentences(&own, &scales);
         drawing_sheets(&own, &scales, name, &asked, &given)
     }
 }
@@ -55,7 +55,8 @@ pub(super) fn key_rows<'a>(solution: &Solution, pencil: &'a Pencil) -> Vec<KeyRo
 
 /// The sentences with all given numbers and with the scales of the plans, in markup. Vectors are given as in the
 /// scene's text, by components or by size and direction.
-pub(super) fn sentences(scene: &Scene, scales: &Scales) -> Vec<String> {
+pub(super) fn sentences(solution: &Solution, scales: &Scales) -> Vec<String> {
+    let scene = &solution.scene;
     let file = serde_json::from_str(scene.text()).unwrap_or(Value::Null);
     let words = &Wording::of(&scene.figure);
     let teller = Teller { scene, words };
@@ -67,6 +68,7 @@ pub(super) fn sentences(scene: &Scene, scales: &Scales) -> Vec<String> {
     }
     all.extend(teller.drives(&file));
     all.extend(teller.motions(&file));
+    all.extend(teller.loads(solution, &file));
     let scale = |(plan, mu): (Sheet, f64)| {
         let unit = plan.facts().drawn.unit(scene.units);
         format!("{} = {} ({unit})/mm", plan.facts().scale_symbol, teller.number(mu))
@@ -75,9 +77,17 @@ pub(super) fn sentences(scene: &Scene, scales: &Scales) -> Vec<String> {
         scales.given().filter(|(sheet, _)| is_meant(*sheet)).map(scale).collect()
     };
     let (plans, centers) = (of(|sheet| sheet.order().is_some()), of(|sheet| sheet == Sheet::Centers));
-    let draw = (!plans.is_empty() || centers.is_empty()).then(|| words.language.exercise_draw(&listed(&plans)));
-    let find = (!centers.is_empty()).then(|| words.language.exercise_centers(&listed(&centers)));
-    std::iter::once(words.language.exercise_given(&listed(&all))).chain(find).chain(draw).collect()
+    let (forces, levers) = (of(|sheet| sheet == Sheet::Forces), of(|sheet| sheet == Sheet::Lever));
+    let scheme = of(|sheet| sheet == Sheet::Scheme);
+    let has_none = [&centers, &forces, &levers].iter().all(|scales| scales.is_empty());
+    let language = words.language;
+    let draw = (!plans.is_empty() || has_none).then(|| language.exercise_draw(&listed(&plans)));
+    let find = (!centers.is_empty()).then(|| language.exercise_centers(&listed(&centers)));
+    // Arms are measured on the scheme.
+    let balance = (!forces.is_empty()).then(|| language.exercise_forces(&listed(&[scheme, forces].concat())));
+    let lever = (!levers.is_empty()).then(|| language.exercise_lever(&listed(&levers)));
+    let given = std::iter::once(language.exercise_given(&listed(&all)));
+    given.chain(find).chain(draw).chain(balance).chain(lever).collect()
 }
 
 /// A list that can be broken into lines between its items only.
@@ -86,23 +96,23 @@ fn listed(items: &[String]) -> String {
     items.join(", ")
 }
 
-struct Teller<'a> {
-    scene: &'a Scene,
-    words: &'a Wording,
+pub(super) struct Teller<'a> {
+    pub scene: &'a Scene,
+    pub words: &'a Wording,
 }
 
 impl Teller<'_> {
     /// A number as people write it: more digits than six serve no drawing.
-    fn number(&self, x: f64) -> String {
+    pub fn number(&self, x: f64) -> String {
         self.words.write(x, NumberStyle::significant(6).trimmed().on(Medium::Figure))
     }
 
-    fn unit(&self, kind: QuantityKind) -> String {
+    pub fn unit(&self, kind: QuantityKind) -> String {
         kind.unit(self.scene.units)
     }
 
     /// A symbol with its value and unit; zero is written without a unit.
-    fn value(&self, symbol: &str, x: f64, kind: QuantityKind) -> String {
+    pub fn value(&self, symbol: &str, x: f64, kind: QuantityKind) -> String {
         let value = self.number(x);
         match (x == 0.0, kind) {
             (_, QuantityKind::Angle) => format!("{symbol} = {value}°"),
@@ -111,7 +121,7 @@ impl Teller<'_> {
         }
     }
 
-    fn pair(&self, place: [f64; 2]) -> String {
+    pub fn pair(&self, place: [f64; 2]) -> String {
         self.words.place(place.map(|x| self.number(x)))
     }
 

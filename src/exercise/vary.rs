@@ -22,9 +22,11 @@ pub enum Number {
     DrivePosition,
     /// Angular velocity, speed or acceleration of a drive.
     DriveRate,
+    /// A mass, a moment of inertia, a component or the size of a given force, a couple.
+    Load,
 }
 
-/// Replaces the numbers of places, lengths, given motions and drives in a scene file, in this order, each by what
+/// Replaces the numbers of places, lengths, given motions, drives and loads in a scene file, in this order, each by what
 /// `change` returns.
 ///
 /// Rough places (`near`), directions of guides and the figure stay as they are.
@@ -37,6 +39,9 @@ pub fn each_number(scene: &mut Value, change: &mut dyn FnMut(Number, f64) -> f64
         for (key, number) in [("lengths", Number::Length), ("shape", Number::Length), ("motion", Number::Motion)] {
             within(link.get_mut(key), number, change);
         }
+        for (key, number) in [("center", Number::Length), ("mass", Number::Load), ("inertia", Number::Load)] {
+            within(link.get_mut(key), number, change);
+        }
         drive(link.get_mut("drive"), change);
         if let Some(angle) = link.get_mut("angle") {
             within(Some(angle), Number::DriveAngle, change);
@@ -45,6 +50,12 @@ pub fn each_number(scene: &mut Value, change: &mut dyn FnMut(Number, f64) -> f64
     let sliders = scene.get_mut("sliders").and_then(Value::as_array_mut);
     for slider in sliders.into_iter().flatten() {
         drive(slider.get_mut("drive"), change);
+    }
+    let forces = scene.get_mut("forces").and_then(Value::as_array_mut);
+    for load in forces.into_iter().flatten() {
+        for (key, number) in [("at", Number::Length), ("force", Number::Load), ("couple", Number::Load)] {
+            within(load.get_mut(key), number, change);
+        }
     }
 }
 
@@ -75,7 +86,7 @@ fn within(part: Option<&mut Value>, number: Number, change: &mut dyn FnMut(Numbe
         Some(Value::Object(entries)) => {
             for (key, value) in entries {
                 let number = match (key.as_str(), number) {
-                    ("angle", Number::Motion) => Number::Direction,
+                    ("angle", Number::Motion | Number::Load) => Number::Direction,
                     ("omega" | "alpha", Number::Motion) => Number::Turning,
                     ("at", Number::Motion) => Number::Length,
                     (_, number) => number,
@@ -100,7 +111,7 @@ const STEPS: f64 = 25.0;
 /// Round rates, to be multiplied by a power of ten.
 const RATES: [f64; 11] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
 
-/// The scene with other numbers: lengths, places and given motions up to a quarter larger or smaller, drives turned by
+/// The scene with other numbers: lengths, places, given motions and loads up to a quarter larger or smaller, drives turned by
 /// up to 60° and with half to twice their rates. Zeros stay, but for drives' angles; senses stay; blocks stay on
 /// their guides.
 pub(super) fn varied(scene: &Value, on_guides: &[OnGuide], random: &mut Random) -> Value {
@@ -112,7 +123,7 @@ pub(super) fn varied(scene: &Value, on_guides: &[OnGuide], random: &mut Random) 
             _ if x == 0.0 && number != Number::DriveAngle => 0.0,
             Number::Length | Number::DrivePosition => step.multiple(part, 1.0),
             // To two digits.
-            Number::Motion => Step { count: 1, exponent: decimal(part).1 - 1 }.multiple(part, 1.0),
+            Number::Motion | Number::Load => Step { count: 1, exponent: decimal(part).1 - 1 }.multiple(part, 1.0),
             Number::Turning => rate(part),
             Number::DriveRate => rate(x * libm::exp2(random.within())),
             Number::Direction => angle(x + DIRECTION * random.within()),

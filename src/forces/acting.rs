@@ -20,6 +20,23 @@ pub enum Source {
     Spring(usize),
 }
 
+impl Source {
+    /// The name in results of a load from there on a body: that which the scene gives it, `weight(2)`, `inertia(2)`; of a spring with the link
+    /// on which it pulls.
+    pub(crate) fn name(self, mechanism: &Mechanism, body: BodyId) -> String {
+        let link = &mechanism.body(body).name;
+        let loads = mechanism.loads.as_ref().map(|loads| &loads.0);
+        match self {
+            Source::Weight => format!("weight({link})"),
+            Source::Inertia => format!("inertia({link})"),
+            Source::Given(index) => loads.map_or_else(String::new, |loads| loads.loads[index].name.clone()),
+            Source::Spring(index) => {
+                loads.map_or_else(String::new, |loads| format!("{}({link})", loads.springs[index].name))
+            }
+        }
+    }
+}
+
 /// A load on a body.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Acting<N = Ball> {

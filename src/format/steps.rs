@@ -1,5 +1,6 @@
 use crate::construction::{
-    Action, CurvatureStep, NOTHING, NumberedStep, Solution, Teller, Tolerance, display, plain_text, shown_text,
+    Action, CurvatureStep, ForceStep, NOTHING, NumberedStep, Solution, Teller, Tolerance, display, plain_text,
+    shown_text,
 };
 use crate::drawing::drawn_vector;
 use crate::geometry::{Vector, degrees_of};
@@ -164,6 +165,32 @@ impl StepList<'_> {
         )
     }
 
+    /// A force or a moment that hands find, with its value and its band.
+    fn force(&self, name: &str) -> Option<String> {
+        let Solution { mechanism, construction, .. } = self.solution;
+        let asked = QuantityRequest::new(name, mechanism).ok()?;
+        let value = asked.value(&self.solution.snapshot(), Some(construction), None).ok()?.as_number();
+        let symbol = shown_text(&asked.symbol(mechanism, &self.words.notation, &display), None, self.words);
+        let unit = asked.kind().unit(self.units);
+        Some(format!("{symbol} = {} {unit}{}", self.digits(value), self.band(name, &unit, None)))
+    }
+
+    /// The lines of a step of the force plan or a lever: its equation with the value, and what else it finds.
+    fn of_forces(&self, step: &NumberedStep<'_>, equation: String) -> Vec<String> {
+        let names = step.names();
+        if let Action::Force(ForceStep::Cross(..)) = step.action {
+            let sizes = names.iter().filter(|name| !name.ends_with(".angle"));
+            return [equation].into_iter().chain(sizes.filter_map(|name| self.force(name))).collect();
+        }
+        let Some((value, kind)) = self.teller.value_of_step(step.action) else { return vec![equation] };
+        let unit = kind.unit(self.units);
+        let is_it = |name: &&String| QuantityName::parse(name).is_some_and(|name| name.kind() == kind);
+        let band = names.iter().find(is_it).map_or_else(String::new, |name| self.band(name, &unit, None));
+        let first = format!("{equation} = {} {unit}{band}", self.digits(value));
+        let further = names.iter().filter(|name| !is_it(name)).filter_map(|name| self.force(name));
+        [first].into_iter().chain(further).collect()
+    }
+
     /// The band of a plan's segment.
     fn segment_band(&self, sheet: Sheet, from: &str, to: &str) -> String {
         self.band(&sheet.segment_name(from, to), &self.unit(sheet), self.pencil.scales[sheet])
@@ -289,10 +316,17 @@ impl StepList<'_> {
             | Action::Force(_)
             | Action::Lever(_) => {
                 if let (Action::Force(_), Some(force)) = (step.action, self.teller.force_of_step(step.action)) {
-                    return vec![format!("{equation} = {}", self.vector(force, sheet))];
+                    let names = step.names();
+                    let band = names
+                        .first()
+                        .map_or_else(String::new, |name| self.band(name, &self.unit(sheet), self.pencil.scales[sheet]));
+                    return vec![format!("{equation} = {}{band}", self.vector(force, sheet))];
                 }
                 if equation.is_empty() {
                     return Vec::new();
+                }
+                if matches!(step.action, Action::Force(_) | Action::Lever(_)) {
+                    return self.of_forces(step, equation);
                 }
                 let names = step.names();
                 // The distances that are measured for it come before it, the direction of a velocity after it.

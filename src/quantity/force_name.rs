@@ -91,16 +91,7 @@ impl LoadOf {
     /// it pulls.
     #[must_use]
     pub fn name(self, mechanism: &Mechanism) -> String {
-        let link = &mechanism.body(self.body).name;
-        let loads = mechanism.loads.as_ref().map(|loads| &loads.0);
-        match self.source {
-            Source::Weight => format!("weight({link})"),
-            Source::Inertia => format!("inertia({link})"),
-            Source::Given(index) => loads.map_or_else(String::new, |loads| loads.loads[index].name.clone()),
-            Source::Spring(index) => {
-                loads.map_or_else(String::new, |loads| format!("{}({link})", loads.springs[index].name))
-            }
-        }
+        self.source.name(mechanism, self.body)
     }
 
     /// All loads of a mechanism, weights and inertia of its links first.

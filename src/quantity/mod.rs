@@ -12,6 +12,7 @@
 
 mod band;
 mod force_name;
+mod force_reading;
 mod forces;
 mod name;
 mod poles;

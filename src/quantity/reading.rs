@@ -3,8 +3,8 @@
 use super::name::{AccelerationPart, Pole, PoleOf, QuantityRequest, Spot, What};
 use crate::construction::Spot as DrawnAt;
 use crate::construction::{
-    Along, CenterId, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId,
-    Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
+    Along, CenterId, Construction, End, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole,
+    PlaceId, Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::scene::{Component, Head, QuantityName};
@@ -79,17 +79,19 @@ pub enum Unread {
 pub fn read_by_hand(solution: &Solution, asked: &[QuantityRequest]) -> (Construction, Vec<Result<Reading, Unread>>) {
     let Solution { mechanism, pose, motion, construction, .. } = solution;
     let mut reader = Reader { steps: None, writer: Writer::continued(mechanism, pose, motion, construction.clone()) };
-    let readings = asked.iter().map(|asked| reader.reading(asked)).collect();
+    let readings: Vec<_> = asked.iter().map(|asked| reader.reading(asked)).collect();
     let mut construction = reader.writer.construction;
     construction.operations.retain(|operation| operation.by_hand);
     if construction.by_hand != Sheet::USUAL {
-        keep_drawn(&mut construction);
+        keep_drawn(&mut construction, &readings);
     }
     (construction, readings)
 }
 
-/// Leaves out what is done on sheets that a hand does not draw, but for the given numbers that others need.
-fn keep_drawn(construction: &mut Construction) {
+/// Leaves out what is done on sheets that a hand does not draw, but for the given numbers that others need; and on a scheme that is drawn for its
+/// forces alone what only velocities need.
+fn keep_drawn(construction: &mut Construction, readings: &[Result<Reading, Unread>]) {
+    let has_plans = construction.draws_plans();
     let Construction { operations, by_hand, .. } = construction;
     let mut needed: BTreeSet<usize> = BTreeSet::new();
     for operation in operations.iter().filter(|operation| by_hand.contains(&operation.sheet)) {
@@ -99,10 +101,36 @@ fn keep_drawn(construction: &mut Construction) {
         OperationKind::Take { number, .. } => needed.contains(&number.0),
         _ => by_hand.contains(&operation.sheet),
     });
+    if !has_plans {
+        keep_needed(operations, readings);
+    }
 }
 
-struct Reader<'a> {
-    writer: Writer<'a>,
+/// Leaves out what is done on the scheme and needed by nothing on other sheets, but for the joints.
+fn keep_needed(operations: &mut Vec<Operation>, readings: &[Result<Reading, Unread>]) {
+    let (mut places, mut lines) = (BTreeSet::new(), BTreeSet::new());
+    let mut numbers: BTreeSet<usize> = readings.iter().flatten().map(|reading| reading.number.0).collect();
+    let mut kept: Vec<bool> = Vec::new();
+    for Operation { sheet, kind, .. } in operations.iter().rev() {
+        let is_needed = *sheet != Sheet::Scheme
+            || matches!(kind, OperationKind::Plot { .. })
+            || kind.place().is_some_and(|place| places.contains(&place.0))
+            || kind.line().is_some_and(|line| lines.contains(&line.0))
+            || kind.numbers().iter().any(|number| numbers.contains(&number.0));
+        kept.push(is_needed);
+        if is_needed {
+            let (read_places, read_lines) = kind.places_and_lines_read();
+            places.extend(read_places.iter().map(|place| place.0));
+            lines.extend(read_lines.iter().map(|line| line.0));
+            kind.each_number_read(|number| numbers.extend([number.0]));
+        }
+    }
+    let mut kept = kept.into_iter().rev();
+    operations.retain(|_| kept.next().unwrap_or(true));
+}
+
+pub(super) struct Reader<'a> {
+    pub(super) writer: Writer<'a>,
     /// The step that gives each quantity, by its name; once it has been asked for.
     steps: Option<IndexMap<String, StepId>>,
 }
@@ -132,11 +160,12 @@ impl Reader<'_> {
             What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
             What::Length(a, b) => return self.length(name, a, b),
             What::Pole(pole) => return self.center(asked, pole),
+            What::Force(of, _) => return self.force(asked, of),
             What::InflectionDiameter(_) => {
                 let number = self.measured(&NumberKind::Reading(name.to_owned())).ok_or(Unread::NotDrawn)?;
                 return Ok((number, Sense::Distance));
             }
-            What::PathRadius(_) | What::Force(..) => {
+            What::PathRadius(_) => {
                 return Err(Unread::NotDrawn);
             }
             What::Segment(order, _) if !self.draws(*order) => return Err(Unread::NoSheet(order.sheet())),
@@ -269,7 +298,7 @@ impl Reader<'_> {
     }
 
     /// The ends of a segment that a hand can draw. One of zero length, as of a point at rest, is not measured.
-    fn drawn(&self, ends: [PlaceId; 2]) -> Result<[PlaceId; 2], Unread> {
+    pub(super) fn drawn(&self, ends: [PlaceId; 2]) -> Result<[PlaceId; 2], Unread> {
         match ends {
             _ if !ends.iter().all(|&end| self.writer.is_place_by_hand(end)) => Err(Unread::NoConstruction),
             [from, to] if from == to => Err(Unread::Given),
@@ -279,7 +308,13 @@ impl Reader<'_> {
 
     /// Measures a number with errors of its own, as part of the step that gives the quantity `name`, or the length of the segment
     /// whose direction it is.
-    fn measure(&mut self, sheet: impl Into<Sheet>, name: &str, ends: [PlaceId; 2], how: MeasuredAs) -> NumberId {
+    pub(super) fn measure(
+        &mut self,
+        sheet: impl Into<Sheet>,
+        name: &str,
+        ends: [PlaceId; 2],
+        how: MeasuredAs,
+    ) -> NumberId {
         let sheet = sheet.into();
         let number = self.writer.measure(sheet, NumberKind::Reading(name.to_owned()), ends, how);
         self.put_in_step(sheet, name);

@@ -85,6 +85,8 @@ impl QuantityRequest {
             | What::InflectionDiameter(_)
             | What::Length(Spot::Pole(_), _)
             | What::Length(_, Spot::Pole(_)) => Sheet::Centers,
+            What::Force(ForceOf::Power(_), _) => Sheet::Lever,
+            What::Force(..) => Sheet::Forces,
             _ => self.order().map_or(Sheet::Scheme, Order::sheet),
         }
     }
@@ -93,6 +95,9 @@ impl QuantityRequest {
     #[must_use]
     pub fn sheet_by_hand(&self, construction: &Construction) -> Sheet {
         let own = self.sheet();
+        if own == Sheet::Forces {
+            return if construction.by_hand.contains(&own) { own } else { Sheet::Lever };
+        }
         let has_plan = own.order().is_none() || construction.by_hand.contains(&own);
         if has_plan { own } else { Sheet::Centers }
     }
@@ -113,7 +118,13 @@ impl QuantityRequest {
     /// Whether it is a length on its sheet; rates are computed from lengths.
     #[must_use]
     pub fn is_length_on_sheet(&self) -> bool {
-        !self.turns() && !self.is_rate()
+        !self.turns() && !self.is_rate() && !self.is_computed()
+    }
+
+    /// Whether it follows from what is measured on several sheets.
+    fn is_computed(&self) -> bool {
+        let is_offset = matches!(&self.what, What::Force(ForceOf::Offset(_), _));
+        is_offset || matches!(self.kind(), QuantityKind::Moment | QuantityKind::Power)
     }
 
     /// Whether it is the distance of two places: a length of the scheme, or a segment of a plan.

@@ -434,6 +434,8 @@ sentences! {
     exercise_given(all);
     exercise_draw(scales);
     exercise_centers(scales);
+    exercise_forces(scales);
+    exercise_lever(scales);
     exercise_guide(slider, place, degrees);
     exercise_guide_through(slider, line);
     exercise_room(velocity, acceleration, paper);

@@ -182,6 +182,66 @@ macro_rules! catalogue {
             PinOfThree "pin-of-three" 4.0 centers::pin_of_three { pin_of_three(center, pin) }
             /// Millimetres of paper of the figure of centres taken for lengths.
             LengthsWithoutScale "lengths-without-scale" 4.0 rates::without_scale { lengths_without_scale(lengths, scale) }
+            /// The force of inertia along the acceleration, not against it.
+            InertiaAlongA "inertia-along-a" 5.0 forces::inertia_along { inertia_along_a(load) }
+            /// The couple of inertia in the sense of the angular acceleration.
+            InertiaCoupleAlongAlpha "inertia-couple-along-alpha" 5.0 forces::couple_along {
+                inertia_couple_along_alpha(load)
+            }
+            /// A couple left out of the moments.
+            CoupleForgotten "couple-forgotten" 5.0 forces::couple_forgotten { couple_forgotten(load) }
+            /// Force and couple of inertia as one force on the wrong side of the centre.
+            PercussionOnWrongSide "percussion-on-wrong-side" 1.0 forces::percussion { percussion_on_wrong_side(load) }
+            /// The acceleration of a joint in place of that of the centre of mass.
+            AOfJointForCentre "a-of-joint-for-centre" 3.0 forces::joint_for_center { a_of_joint_for_centre(load, point) }
+            /// The centripetal part left out of the acceleration of the centre of mass.
+            CentripetalPartLeftOut "centripetal-part-left-out" 3.0 forces::centripetal_left_out {
+                centripetal_part_left_out(load, point)
+            }
+            /// An arm measured to the point where a force acts, not to its line.
+            ArmToPoint "arm-to-point" 5.0 moments::to_point { arm_to_point(found) }
+            /// Arms in millimetres of paper.
+            ArmInPaperMm "arm-in-paper-mm" 5.0 moments::in_paper_mm {
+                arm_in_paper_mm(found, scale)
+                arms_in_paper_mm(scale)
+            }
+            /// What a joint does to one link handed on to the other without being reversed.
+            ReactionNotReversed "reaction-not-reversed" 6.0 polygons::not_reversed { reaction_not_reversed(force) }
+            /// A force found negative laid off as if it were positive.
+            NegativeTangentialKept "negative-tangential-kept" 5.0 polygons::negative_kept {
+                negative_tangential_kept(force)
+            }
+            /// The part along a link drawn across it.
+            NormalAcross "normal-across" 3.0 polygons::normal_across { normal_across(force) }
+            /// A force left out of a polygon.
+            ForceMissingInPolygon "force-missing-in-polygon" 5.0 polygons::missing { force_missing_in_polygon(force) }
+            /// A force laid off twice in a polygon.
+            ForceTwice "twice" 3.0 polygons::twice { force_twice(force) }
+            /// What a guide does drawn along the guide.
+            GuideReactionAlongRod "guide-reaction-along-rod" 3.0 polygons::along_guide {
+                guide_reaction_along_rod(force, guide)
+            }
+            /// What a guide does taken to act in the slider's point.
+            GuideReactionThroughPin "guide-reaction-through-pin" 4.0 polygons::through_pin {
+                guide_reaction_through_pin(guide, point)
+            }
+            /// A mass in place of a weight, or a factor of 1000 between units.
+            MassForWeight "mass-for-weight" 5.0 forces::mass_for_weight {
+                mass_for_weight(load)
+                factor_of_thousand(load)
+            }
+            /// Moments taken about a point through which the lines of the other unknowns do not pass.
+            MomentAboutWrongPoint "moment-about-wrong-point" 5.0 moments::about_wrong_point {
+                moment_about_wrong_point(found, wrong, right)
+            }
+            /// Forces put on the velocity plan as it is, not turned.
+            LeverNotTurned "lever-not-turned" 4.0 moments::not_turned { lever_not_turned(found) }
+            /// A couple added to the moments of a lever as it is.
+            CoupleOnLeverUnscaled "couple-on-lever-unscaled" 4.0 moments::couple_unscaled {
+                couple_on_lever_unscaled(link)
+            }
+            /// The torque of a drive with the sense of what it works against.
+            TorqueSense "torque-sense" 5.0 polygons::torque_sense { torque_sense(found) }
             /// The other assembly mode.
             OtherMode "other-mode" 4.0 lengths::other_mode { other_mode() }
             /// The mechanism drawn at another angle of its crank.

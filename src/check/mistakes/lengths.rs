@@ -12,10 +12,13 @@ use crate::mechanism::{BodyId, Role};
 use crate::position::{Pose, pose};
 use crate::sheet::Sheet;
 
-/// The operations that measure a length: index, sheet, number, ends.
+/// The operations that measure a length between points of a name: index, sheet, number, ends.
 fn measures<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, Sheet, NumberId, [PlaceId; 2])> {
-    site.operations().filter_map(|(index, operation)| match operation.kind {
-        OperationKind::Measure { number, from, to, how: MeasuredAs::Along(_) | MeasuredAs::Size } => {
+    let is_meant = |number| !matches!(site.number_kind(number), NumberKind::Force | NumberKind::Arm);
+    site.operations().filter_map(move |(index, operation)| match operation.kind {
+        OperationKind::Measure { number, from, to, how: MeasuredAs::Along(_) | MeasuredAs::Size }
+            if is_meant(number) =>
+        {
             Some((index, operation.sheet, number, [from, to]))
         }
         _ => None,

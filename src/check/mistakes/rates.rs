@@ -277,7 +277,10 @@ fn at_wrong_scales(site: &Site<'_>) -> Vec<Candidate> {
             .operations()
             .filter(|(_, operation)| operation.sheet == sheet)
             .filter_map(|(index, operation)| match operation.kind {
-                OperationKind::Measure { number, how, .. } => Some((index, number, site.number_name(number), how)),
+                // Of arms `moments::in_paper_mm`.
+                OperationKind::Measure { number, how, .. } if *site.number_kind(number) != NumberKind::Arm => {
+                    Some((index, number, site.number_name(number), how))
+                }
                 _ => None,
             })
             .collect();

@@ -22,9 +22,9 @@ impl Statics<'_, '_> {
         for (&slider, couple) in &self.couples {
             let found = exact.numbers[couple.size.0] * Ball::from(couple.sign);
             seen.push((found, self.computed.couple(mechanism, slider), self.writer.size));
-            self.plan.couples.push((slider, couple.size));
+            self.plan.numbers.couples.insert(slider, (couple.size, couple.sign));
         }
-        for &(body, torque) in &self.plan.torques {
+        for (&body, torque) in &self.plan.numbers.torques {
             seen.push((exact.numbers[torque.0], self.computed.torque(body), self.writer.size));
         }
         if seen.is_empty() || self.largest == 0.0 {

@@ -55,7 +55,9 @@ impl Statics<'_, '_> {
             let how = MeasuredAs::Along(guide);
             let along = self.writer.measure(Sheet::Forces, NumberKind::Force, ends, how);
             let is_sliding = self.mechanism().slider(slider).link == body;
-            let value = self.number(along) * if is_sliding { 1.0 } else { -1.0 };
+            let sign = if is_sliding { 1.0 } else { -1.0 };
+            let value = self.number(along) * sign;
+            self.plan.numbers.pushes.insert(slider, (along, sign));
             self.finish(step, ForceStep::Push(slider, value));
         }
         self.guide_couple(&[body], set, joint, body)
@@ -71,7 +73,7 @@ impl Statics<'_, '_> {
         match self.mechanism().body(body).role {
             Role::Driver { pivot, .. } => {
                 if let Some(torque) = self.couple_by_moments(&[body], &set, pivot, Found::Torque(body)) {
-                    self.plan.torques.push((body, torque));
+                    self.plan.numbers.torques.insert(body, torque);
                 }
                 if !set.forces.is_empty() {
                     let mut chain = self.chain(&[body]);

@@ -4,7 +4,7 @@
 //!
 //! In reading order: `statics` (forces with their lines of action, arms, moments), `sides` (polygons, side by side), `leg` (the part of an
 //! outer joint's force that one link alone tells), `second`, `third` and `fourth` (groups of these classes), `guides` (couples in guides), `drive`
-//! (driven links and sliders), `compared`, `told` (captions, symbols).
+//! (driven links and sliders), `named` (the numbers and names of what is found), `compared`, `told` (captions, symbols).
 //!
 //! # One rule for pins and guides
 //!
@@ -21,6 +21,7 @@ mod drive;
 mod fourth;
 mod guides;
 mod leg;
+mod named;
 mod second;
 mod sides;
 mod statics;
@@ -28,13 +29,14 @@ mod third;
 mod told;
 
 use super::constructed::Agreement;
-use super::number::NumberId;
 use super::operation::PlaceId;
 use super::step::Action;
 use super::writer::Writer;
 use crate::forces::{Forces, Source, driven};
 use crate::geometry::{Point, Vector};
 use crate::mechanism::{BodyId, Class, Group, JointId, PointId, SliderId};
+use named::WholeForce;
+pub(crate) use named::{FoundForce, FoundNumbers};
 use statics::Statics;
 
 /// The force polygons of a mechanism, and the moments from which their sides follow.
@@ -49,10 +51,8 @@ pub struct ForcePlan {
     /// By joint that is found: the body on which its force acts, and where that begins and ends in a polygon; no place for a joint that
     /// carries no force.
     pub(super) joints: Vec<(JointId, BodyId, Option<[PlaceId; 2]>)>,
-    /// The couples that guides give their sliding links, about the slider's point.
-    pub(super) couples: Vec<(SliderId, NumberId)>,
-    /// The torques of driven links.
-    pub(super) torques: Vec<(BodyId, NumberId)>,
+    /// What is found, as numbers of the construction.
+    pub(crate) numbers: FoundNumbers,
     /// How the forces from these polygons agree with those from the equations of equilibrium, in parts of the largest force.
     pub agreement: Option<Agreement>,
 }
@@ -248,6 +248,7 @@ pub(super) fn force_plan(writer: &mut Writer<'_>, computed: &Forces, has_polygon
         }
         statics.move_apart(first);
         statics.compare();
+        statics.name_all();
     }
     let plan = statics.plan;
     writer.construction.forces = Some(Box::new(plan));

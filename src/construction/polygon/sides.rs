@@ -1,7 +1,7 @@
 //! Polygons, side by side.
 
 use super::statics::{Force, Statics};
-use super::{ForceOf, ForcePart, ForceStep, Polygon, Side, SideKind};
+use super::{ForceOf, ForcePart, ForceStep, FoundForce, Polygon, Side, SideKind, WholeForce};
 use crate::construction::number::{NumberKind, Product};
 use crate::construction::operation::{Along, MeasuredAs, OperationKind, OperationRole, PlaceId};
 use crate::geometry::Vector;
@@ -94,7 +94,9 @@ impl Statics<'_, '_> {
             let on = of.on().unwrap_or(GROUND);
             Force { of, on, at, along, size, sign: 1.0, exact: None }
         };
-        Some(([force(first, before.0), force(second, after.0)], corner))
+        let found = [force(first, before.0), force(second, after.0)];
+        self.plan.numbers.parts.extend(found.iter().map(|force| FoundForce::from(*force)));
+        Some((found, corner))
     }
 
     /// Closes a polygon by the whole force in a joint.
@@ -136,6 +138,7 @@ impl Statics<'_, '_> {
         let size = self.writer.measure(Sheet::Forces, NumberKind::Force, ends, MeasuredAs::Size);
         let at = self.place(joint);
         let force = Force { of, on, at, along: Along::line(line), size, sign: 1.0, exact: None };
+        self.plan.numbers.whole.push(WholeForce { joint, on, ends, size });
         self.joints.insert(joint, Some(force));
         self.plan.joints.push((joint, on, Some(ends)));
     }

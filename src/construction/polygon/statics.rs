@@ -1,6 +1,6 @@
 //! Forces with their lines of action on the scheme, their arms and moments.
 
-use super::{ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint};
+use super::{ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, FoundForce, LoadShown, Moment, MomentPoint};
 use crate::construction::number::{Equation, NumberId, NumberKind, Product, ProductKind};
 use crate::construction::operation::{Along, LineId, MeasuredAs, OperationRole, PlaceId};
 use crate::construction::writer::{Begun, Writer};
@@ -27,6 +27,12 @@ pub(super) struct Force {
     pub sign: f64,
     /// A load as it is known: the direction of its line is that of a rounded one.
     pub exact: Option<Pair<Ball>>,
+}
+
+impl From<Force> for FoundForce {
+    fn from(Force { of, size, along, .. }: Force) -> FoundForce {
+        FoundForce { of, size, along }
+    }
 }
 
 /// A couple on a body, counter-clockwise positive.
@@ -111,11 +117,13 @@ impl<'w, 'a> Statics<'w, 'a> {
             let (force, couple) = (load.force.rounded(), load.couple.high);
             let at = Point::from(load.at.rounded());
             self.plan.loads.push(LoadShown { source: load.source, body: load.body, at, force, couple });
+            self.plan.numbers.loads.push([None; 2]);
             if load.couple.high.abs() > CERTAIN * load.couple.error()
                 && let Some(size) = self.writer.take(true, Sheet::Forces, NumberKind::Moment, couple)
             {
                 self.writer.construction.record.exact.numbers[size.0] = load.couple;
                 self.loads[load.body.0].couples.push(Couple { size, sign: 1.0 });
+                self.plan.numbers.loads[index][1] = Some(size);
             } else {
                 self.left_out += load.couple.largest() / self.writer.size;
             }
@@ -128,6 +136,7 @@ impl<'w, 'a> Statics<'w, 'a> {
             let at = self.place_of_load(index, load.body, load.at);
             let along = Along::given(unit(force).unwrap_or_default());
             let of = ForceOf::Load(index);
+            self.plan.numbers.loads[index][0] = Some(size);
             let force = Force { of, on: load.body, at, along, size, sign: 1.0, exact: Some(load.force) };
             self.loads[load.body.0].forces.push(force);
         }
@@ -267,7 +276,9 @@ impl<'w, 'a> Statics<'w, 'a> {
             Moment { links: links.to_vec(), about, at: self.point(place), arms, finds: Found::Force(of), value },
         );
         let ForceOf::Joint { on, .. } = of else { return None };
-        Some(Some(Force { of, on, at, along, size, sign: 1.0, exact: None }))
+        let force = Force { of, on, at, along, size, sign: 1.0, exact: None };
+        self.plan.numbers.parts.push(force.into());
+        Some(Some(force))
     }
 
     /// Finds a couple from the moments of links about a joint; none where nothing has a moment.

@@ -5,6 +5,7 @@ use super::on_paper::SchemeOnPaper;
 use crate::construction::{Action, ForcePlan, ForceStep, Found, LoadShown, Moment, NOTHING};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::clipped_segment;
+use crate::drawing::context::Purpose;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
@@ -21,7 +22,7 @@ const LENGTH: [f64; 2] = [12.0, 8.5];
 const RADIUS: f64 = 3.6;
 const SWEEP: f64 = 3.6;
 /// Radius of a torque around a couple, in parts of that of the couple.
-const AROUND: f64 = 1.75;
+const AROUND: f64 = 1.6;
 /// How far a line of action goes on beyond its foot, in mm.
 const BEYOND: f64 = 3.0;
 /// Radius of a centre of mass, in mm.
@@ -37,13 +38,18 @@ impl SchemeOnPaper<'_> {
         // Given forces have a choice of places, weights nearly none.
         let mut all: Vec<(usize, &LoadShown)> = plan.loads.iter().enumerate().collect();
         all.sort_by_key(|(_, load)| is_of_mass(load));
+        // Which way inertia acts students find.
+        let is_for_students = self.context.purpose == Purpose::Exercise && !self.context.figure().worksheet;
+        let is_shown = |load: &LoadShown| !(is_for_students && load.source == Source::Inertia);
+        all.retain(|(_, load)| is_shown(load));
         for (index, load) in all.into_iter().filter(|(_, load)| load.force.norm() > NOTHING * largest) {
             self.force(canvas, index, load);
         }
         let moment = |load: &LoadShown| load.couple.abs();
         let largest =
             plan.loads.iter().map(moment).fold(largest * geometry::span(self.pose.points.iter().copied()), f64::max);
-        for (index, load) in plan.loads.iter().enumerate().filter(|(_, load)| moment(load) > NOTHING * largest) {
+        let couples = plan.loads.iter().enumerate().filter(|(_, load)| is_shown(load));
+        for (index, load) in couples.filter(|(_, load)| moment(load) > NOTHING * largest) {
             let symbol = self.context.teller().couple_symbol(load.source, load.body);
             self.couple(
                 canvas,
