@@ -2105,7 +2105,7 @@ export interface PhotoRefused {
  */
 export interface Tapped {
   /**
-   * In mm of paper from the printed pole, x right, y up.
+   * In mm of paper from the printed origin, x right, y up.
    *
    * @minItems 2
    * @maxItems 2
@@ -2144,7 +2144,7 @@ export interface MarkedPoint {
    */
   name: string;
   /**
-   * In mm of paper from the printed pole, x right, y up.
+   * In mm of paper from the printed origin, x right, y up.
    *
    * @minItems 2
    * @maxItems 2
