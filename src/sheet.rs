@@ -226,6 +226,15 @@ impl Sheet {
         self.facts().order
     }
 
+    /// Whether places of its points are read from paper, by forms and photographs: all from one point that the sheet has from the start.
+    #[must_use]
+    pub fn has_places(self) -> bool {
+        match self {
+            Sheet::Velocity | Sheet::Acceleration | Sheet::Centers => true,
+            Sheet::Scheme | Sheet::Forces | Sheet::Lever => false,
+        }
+    }
+
     /// The sheets that are drawn before it can be, and itself.
     #[must_use]
     pub fn with_those_needed(self) -> &'static [Sheet] {

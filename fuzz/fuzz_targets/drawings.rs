@@ -18,8 +18,8 @@ macro_rules! scenes {
     ($($name:literal $file:literal),* $(,)?) => { [$(($name, include_str!(concat!("../../", $file)))),*] };
 }
 
-/// Groups of all classes, sliders, given motions. A drawing says by its exercise which of them it is of; else it is of the first.
-const SCENES: [(&str, &str); 10] = scenes![
+/// Groups of all classes, sliders, given motions, instant centres. A drawing says by its exercise which of them it is of; else it is of the first.
+const SCENES: [(&str, &str); 11] = scenes![
     "four-bar" "templates/four-bar.json",
     "slider-crank" "templates/slider-crank.json",
     "slotted-lever" "templates/slotted-lever.json",
@@ -30,10 +30,11 @@ const SCENES: [(&str, &str); 10] = scenes![
     "platform-3rrr" "templates/platform-3rrr.json",
     "hydraulic-boom" "templates/hydraulic-boom.json",
     "figure-2" "examples/figure-2.json",
+    "centers" "fuzz/scenes/centers.json",
 ];
 
 /// Entries of which a press says what comes next.
-const BEGUN: [&str; 9] = [
+const BEGUN: [&str; 10] = [
     r#"{"line":"","along":{"normal":""}}"#,
     r#"{"line":"","along":{"parallel":"A,B"}}"#,
     r#"{"lay_off":"","size":"5","from":"p","along":{"normal":""}}"#,
@@ -43,6 +44,7 @@ const BEGUN: [&str; 9] = [
     r#"{"measure":"","from":"p"}"#,
     r#"{"mark":""}"#,
     r#"{"rub":""}"#,
+    r#"{"join":"","points":["P(1,2)"]}"#,
 ];
 
 thread_local! {

@@ -7,6 +7,7 @@ use super::formula::Formula;
 use super::says;
 use super::table::{DrawnLine, Made, Table};
 use crate::geometry::Vector;
+use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
 
 /// What two numbers that are the same may differ by, in parts.
@@ -38,12 +39,12 @@ impl Bench<'_> {
                 // Two points that are there are joined rightly, whatever for.
                 Held::Nothing => Found::Own,
                 Held::All => Found::Right,
-                Held::Not(point) => Found::Wrong(says::line_misses(point)),
+                Held::Not(point) => Found::Wrong(says::line_misses(self.shown(&point))),
             },
             (Entry::Mark(_), Made::Place(sheet, name, at)) if given.place(*sheet, name).is_some() => {
                 match self.is_at_crossing(*sheet, name, *at) || self.is_near_expected(*sheet, name, *at) {
                     true => Found::Right,
-                    false => Found::Wrong(says::point_elsewhere(name)),
+                    false => Found::Wrong(says::point_elsewhere(self.shown(name))),
                 }
             }
             (Entry::Mark(_), _) => Found::Own,
@@ -57,6 +58,10 @@ impl Bench<'_> {
         }
     }
 
+    fn shown(&self, name: &str) -> String {
+        self.judge.given().shown(name)
+    }
+
     fn found_line(&self, line: &Line, name: &str, is_typed: bool) -> Found {
         let mut missed = None;
         for one in &self.meant(line) {
@@ -67,12 +72,12 @@ impl Bench<'_> {
                     None => return Found::Right,
                     Some(off) => missed = Some(off),
                 },
-                Held::Not(point) => missed = missed.or_else(|| Some(says::line_misses(point))),
+                Held::Not(point) => missed = missed.or_else(|| Some(says::line_misses(self.shown(&point)))),
             }
         }
         match (missed, self.targets.get(name)) {
             (Some(missed), _) => Found::Wrong(missed),
-            (None, Some(targets)) => Found::Wrong(says::line_misses(targets[0].as_str())),
+            (None, Some(targets)) => Found::Wrong(says::line_misses(self.shown(&targets[0]))),
             (None, None) => Found::Own,
         }
     }
@@ -156,8 +161,8 @@ impl Bench<'_> {
         };
         if !(is_right || is_typed && (as_expected() || as_recognised())) {
             return Found::Wrong(match entry {
-                Entry::Cross(_) => says::lines_of_others(name),
-                _ => says::point_elsewhere(name),
+                Entry::Cross(_) => says::lines_of_others(self.shown(name)),
+                _ => says::point_elsewhere(self.shown(name)),
             });
         }
         match self.place_off_hand(entry, sheet, own) {
@@ -212,6 +217,7 @@ impl Bench<'_> {
             };
         }
         let stated = matches!(entry, Entry::Compute(Compute { sense: Some(_), .. }));
+        let is_size = self.is_size_alone(&asked);
         let near =
             |found: f64, right: f64| same(found, right) || (is_typed && (found - right).abs() <= TYPED * right.abs());
         let is_right = self.in_all(entry, is_typed, |table, made| {
@@ -219,13 +225,19 @@ impl Bench<'_> {
             let is_scene = std::ptr::eq(table.given, self.judge.given());
             all.iter().all(|(_, found)| {
                 // In other scenes a link may turn the other way, which a stated sense does not know.
-                near(*found, right) || (stated && !is_scene && near(found.abs(), right.abs()))
+                near(*found, right) || ((is_size || stated && !is_scene) && near(found.abs(), right.abs()))
             })
         });
         if !(is_right || is_typed && self.is_near_expected_number(&asked, own)) {
             return Found::Wrong(says::number_wrong(name));
         }
         Found::Right
+    }
+
+    /// Whether a quantity is the size of a velocity that is laid off on no plan: its sign says nothing there.
+    fn is_size_alone(&self, asked: &str) -> bool {
+        let is_velocity = QuantityName::parse(asked).is_some_and(|name| name.head == Head::Velocity);
+        is_velocity && !self.judge.given().construction().by_hand.contains(&Sheet::Velocity)
     }
 
     /// Whether a length or a segment is measured between other points than its name has.

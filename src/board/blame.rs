@@ -10,7 +10,7 @@ use super::reads::reads;
 use super::says;
 use super::slips::Slip;
 use super::table::{Made, things};
-use crate::check::{Blank, Mistake, Told, tell};
+use crate::check::{Mistake, Told, tell};
 use crate::geometry::{Vector, unit};
 use crate::message::Message;
 use crate::sheet::Sheet;
@@ -74,6 +74,9 @@ impl Bench<'_> {
 
     /// The mistake of the catalogue that does the same, or a slip that explains it; of a free line whatever it may have meant.
     fn cause(&self, entry: &Entry, made: &Made, is_typed: bool) -> Option<Told> {
+        if let Some(told) = self.cause_with_centers(entry, made) {
+            return Some(told);
+        }
         let slip = || self.meant_to_be(entry, made).and_then(|right| self.slip(entry, right, is_typed));
         let of = |entry: &Entry| {
             let told = |typed: Option<&Made>| self.causes.of(entry, made, &self.right, typed).map(|cause| cause.told);
@@ -124,11 +127,7 @@ impl Bench<'_> {
     fn between_others(&self, entry: &Entry) -> Option<Told> {
         let Entry::Measure(measure) = entry else { return None };
         let (sheet, _) = super::reads::segment_of(&measure.measure).filter(|_| self.is_between_others(measure))?;
-        let [from, to] = [&measure.from, &measure.to].map(|end| end.as_str().into());
-        Some(match sheet {
-            Sheet::Scheme => tell::wrong_length(Blank::Symbol(measure.measure.clone()), from, to),
-            _ => tell::wrong_segment(Blank::Quantity(measure.measure.clone()), from, to),
-        })
+        Some(super::slips::between_others(self.judge.given(), sheet, &measure.measure, [&measure.from, &measure.to]))
     }
 
     /// Digits that were exchanged where a number was typed that the hand's own things give.

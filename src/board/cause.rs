@@ -4,8 +4,8 @@
 use super::file::{Compute, Entry, LayOff};
 use super::judge::Judge;
 use super::table::{Made, Table};
-use crate::check::Told;
 use crate::check::replayed::{Replayed, Touched};
+use crate::check::{PaperPoints, Told};
 use crate::construction::{NumberId, OperationKind, Values};
 use crate::geometry::{Vector, cross};
 use crate::quantity::{QuantityRequest, measured_names, readable_names};
@@ -166,9 +166,10 @@ impl<'j> Causes<'j> {
 
     /// How far from its place a point may be that a hand has found on its sheets, in units of the sheet.
     pub fn reach(&self, sheet: Sheet, name: &str, own: &Table<'_>) -> f64 {
-        let segment = sheet.order().map(|order| sheet.segment_name(order.pole(), name));
+        let points = PaperPoints::of(&self.judge.given().solution, sheet);
+        let bands = points.into_iter().flat_map(|points| points.quantities(name));
         let free = 3.0 * self.judge.tolerance().mm * own.scale(sheet);
-        free + segment.map_or(0.0, |segment| self.band(&segment, own))
+        free + bands.map(|quantity| self.band(&quantity, own)).fold(0.0, libm::hypot)
     }
 
     /// The band of honest drawings of a quantity on the hand's sheets; 0 where a hand does not read it.

@@ -337,7 +337,7 @@ impl<'t> Reader<'t> {
             self.rest = rest;
             return Ok(Node::Of(*function, Box::new(self.single()?)));
         }
-        let Some(close) = rest.starts_with('(').then(|| rest.find(')')).flatten() else {
+        let Some(close) = rest.starts_with('(').then(|| closing(rest)).flatten() else {
             self.rest = rest;
             return Ok(Node::Name(word.to_owned()));
         };
@@ -357,6 +357,20 @@ impl<'t> Reader<'t> {
         self.rest = rest;
         Ok(Node::Name(name.chars().filter(|c| !c.is_whitespace()).collect()))
     }
+}
+
+/// Where the bracket is closed with which a text begins.
+fn closing(text: &str) -> Option<usize> {
+    let mut depth = 0;
+    let close = text.char_indices().find(|(_, letter)| {
+        match letter {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            _ => {}
+        }
+        depth == 0
+    });
+    close.map(|(at, _)| at)
 }
 
 impl<'de> Deserialize<'de> for Formula {

@@ -106,6 +106,13 @@ impl Bench<'_> {
                 }));
             }
         }
+        // A line of centres runs through two of them.
+        if sheet == Sheet::Centers {
+            let places: Vec<&str> = self.own.places(sheet).map(|(name, _)| name).collect();
+            for (at, from) in places.iter().enumerate() {
+                all.extend(places[at + 1..].iter().map(|to| Direction::Parallel { parallel: format!("{from},{to}") }));
+            }
+        }
         let both = |name: String| [Direction::Parallel { parallel: name.clone() }, Direction::Normal { normal: name }];
         all.extend(names.into_iter().flat_map(both));
         all

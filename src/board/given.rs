@@ -1,9 +1,13 @@
 //! What is known before the hand begins, and what every name means in the end: the solved scene, with all points in its plans.
 
+use super::reads::is_center;
 use super::says;
+use crate::centers::LinkPair;
 use crate::construction::Rate;
-use crate::construction::{Construction, Extent, PointRole, Solution, coincident_name, construct, image_name};
-use crate::geometry::{Vector, unit};
+use crate::construction::{
+    Center, Construction, Extent, PointRole, Solution, asked_construction, coincident_name, image_name,
+};
+use crate::geometry::{Point, Vector, span, unit};
 use crate::mechanism::{BodyId, Mechanism, Role};
 use crate::message::Message;
 use crate::quantity::{Quantity, QuantityRequest, What};
@@ -16,9 +20,9 @@ use indexmap::IndexMap;
 pub struct Given {
     /// The solution, whose plans have all points.
     pub solution: Solution,
-    /// By sheet and name: every point, in units of the sheet, from the pole or from the scheme's first point.
+    /// By sheet and name: every point, in units of the sheet, from the pole or from the mechanism's first point.
     places: IndexMap<(Sheet, String), Vector>,
-    /// The names of points that are there before anything is drawn: joints on the scheme, on plans the pole under all its names.
+    /// The names of points that are there before anything is drawn: joints on the scheme, on plans the pole under all its names, on the figure of instant centres joints and permanent centres.
     there: Vec<(Sheet, String)>,
     /// The largest distance from the origin, by sheet.
     sizes: PerSheet<f64>,
@@ -30,8 +34,8 @@ impl Given {
     pub fn new(solution: &Solution) -> Given {
         let mut solution = solution.clone();
         if solution.construction.extent != Extent::Points {
-            let Solution { mechanism, pose, motion, .. } = &solution;
-            solution.construction = construct(mechanism, pose, motion, Extent::Points);
+            let Solution { scene, mechanism, pose, motion, .. } = &solution;
+            solution.construction = asked_construction(&scene.figure, (mechanism, pose, motion), Extent::Points);
         }
         let (mut places, mut there) = (IndexMap::new(), Vec::new());
         let Solution { mechanism, pose, construction, .. } = &solution;
@@ -60,6 +64,11 @@ impl Given {
                 places.entry((Sheet::Acceleration, name.clone())).or_insert(end);
             }
         }
+        for (name, place, is_there) in centers(&solution) {
+            let key = (Sheet::Centers, name);
+            there.extend(is_there.then(|| key.clone()));
+            places.insert(key, place);
+        }
         let mut sizes = PerSheet::from_fn(|_| 0.0_f64);
         for ((sheet, _), place) in &places {
             sizes[*sheet] = sizes[*sheet].max(place.norm());
@@ -82,7 +91,48 @@ impl Given {
     /// Where a point is in the end, by its sheet and name, in units of the sheet; `None` for a name that means nothing there.
     #[must_use]
     pub fn place(&self, sheet: Sheet, name: &str) -> Option<Vector> {
-        self.places.get(&(sheet, usual(sheet, name).to_owned())).copied()
+        self.places.get(&(sheet, self.usual(sheet, name))).copied()
+    }
+
+    /// The name that a point has in results: `π` for `pi`, `P(1,3)` for `P(3,1)`, `P(2,ground)` for `P(2,0)`.
+    pub(super) fn usual(&self, sheet: Sheet, name: &str) -> String {
+        let pair = || {
+            let parts = QuantityName::parse(name).filter(|name| name.head == Head::Center && name.is_plain())?;
+            Some(LinkPair::of_names(&parts.arguments, self.mechanism())?.name(self.mechanism()))
+        };
+        match sheet {
+            Sheet::Acceleration if name == "pi" => Some("π".to_owned()),
+            Sheet::Centers => pair(),
+            _ => None,
+        }
+        .unwrap_or_else(|| name.to_owned())
+    }
+
+    /// Whether a name is a second one of a point: that of a permanent centre in a pin, which has the pin's.
+    pub(super) fn is_second_name(&self, sheet: Sheet, name: &str) -> bool {
+        sheet == Sheet::Centers && is_center(name) && self.is_there(name)
+    }
+
+    /// The permanent centres in a joint of the figure of instant centres.
+    pub(super) fn centers_at(&self, joint: &str) -> impl Iterator<Item = LinkPair> {
+        let at = self.place(Sheet::Centers, joint).filter(|_| !is_center(joint));
+        let here = self
+            .there()
+            .filter(move |(sheet, name, place)| self.is_second_name(*sheet, name) && at.is_some_and(|at| at == *place));
+        here.filter_map(|(_, name, _)| LinkPair::named(name, self.mechanism()))
+    }
+
+    /// A point as sentences name it: an instant centre by its symbol, `P_13`.
+    pub(super) fn shown(&self, name: &str) -> String {
+        let pair =
+            is_center(name).then(|| LinkPair::named(&self.usual(Sheet::Centers, name), self.mechanism())).flatten();
+        pair.map_or_else(|| name.to_owned(), |pair| self.symbol(pair))
+    }
+
+    /// The symbol of an instant centre in plain text.
+    pub(super) fn symbol(&self, pair: LinkPair) -> String {
+        let symbol = pair.symbol(0, self.mechanism(), &self.solution.wording().notation, &str::to_owned);
+        symbol.replace(['{', '}'], "")
     }
 
     /// All points of a sheet by their names.
@@ -111,10 +161,25 @@ impl Given {
     #[must_use]
     pub fn number(&self, name: &str) -> Option<f64> {
         let Solution { mechanism, construction, .. } = &self.solution;
-        let name = with_usual_poles(name);
+        let name = self.with_usual_centers(&with_usual_poles(name));
         let asked = QuantityRequest::new(&name, mechanism).ok()?;
         let value = asked.value(&self.solution.snapshot(), Some(construction), None).ok();
         value.map(Quantity::as_number).or_else(|| self.segment(&name))
+    }
+
+    /// The name of a distance of instant centres, or of a coordinate of one, as results call it.
+    fn with_usual_centers(&self, name: &str) -> String {
+        let usual = |parts: &QuantityName| match parts.head {
+            Head::Center => Some(LinkPair::of_names(&parts.arguments, self.mechanism())?.links())
+                .map(|links| links.map(|link| self.mechanism().body(link).name.clone()).to_vec()),
+            Head::Between(Sheet::Scheme) => {
+                Some(parts.arguments.iter().map(|end| self.usual(Sheet::Centers, end)).collect())
+            }
+            _ => None,
+        };
+        let parts = QuantityName::parse(name);
+        let found = parts.as_ref().and_then(|parts| Some(parts.with_arguments(usual(parts)?).to_string()));
+        found.unwrap_or_else(|| name.to_owned())
     }
 
     /// The distance of two points of a sheet that have a place here but none in the construction.
@@ -244,9 +309,40 @@ impl Given {
     }
 }
 
-/// The name that a point has in results: `π` for `pi`.
-pub(super) fn usual(sheet: Sheet, name: &str) -> &str {
-    if sheet == Sheet::Acceleration && name == "pi" { "π" } else { name }
+/// How far from the mechanism an instant centre may be that has a place on a board, in sizes of the mechanism: no sheet is larger.
+const FARTHEST: f64 = 100.0;
+
+/// The points of the figure of instant centres, where there is one: joints and permanent centres, which are there from the start, and all others
+/// by the computed motion, whatever lines the construction leads to them. Each with its place from the mechanism's first point.
+fn centers(solution: &Solution) -> Vec<(String, Vector, bool)> {
+    let Solution { mechanism, pose, construction, .. } = solution;
+    let Some(centers) = construction.centers.as_deref() else { return Vec::new() };
+    let joints = mechanism
+        .point_ids()
+        .map(|point| (mechanism.point_name(point).to_owned(), pose.point(point) - construction.origin, true));
+    let mut all: Vec<(String, Vector, bool)> = joints.collect();
+    let size = span(pose.points.iter().copied());
+    let pairs = if centers.is_too_large { Vec::new() } else { LinkPair::all(mechanism) };
+    for pair in pairs {
+        let known = centers.of(pair).map(|id| centers.get(id));
+        let place = match known {
+            Some(center) => center.place.finite(),
+            None => by_motion(pair, solution),
+        };
+        let place = place.map(|place| place - construction.origin).filter(|place| place.norm() <= FARTHEST * size);
+        let is_there = known.is_some_and(Center::is_permanent);
+        all.extend(place.map(|place| (pair.name(mechanism), place, is_there)));
+    }
+    all
+}
+
+/// The place of a centre by the computed motion; `None` at infinity, and of links that rest on one another.
+fn by_motion(pair: LinkPair, solution: &Solution) -> Option<Point> {
+    let asked = QuantityRequest::new(&pair.name(&solution.mechanism), &solution.mechanism).ok()?;
+    match asked.value(&solution.snapshot(), Some(&solution.construction), None).ok()? {
+        Quantity::Vector(place) => Some(Point::from(place)),
+        Quantity::Number(_) => None,
+    }
 }
 
 /// The name of a segment with the pole as results call it.

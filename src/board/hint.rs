@@ -1,5 +1,6 @@
 //! Hints by stages: where, what, and what would be drawn.
 
+use super::centers::{is_found, needed};
 use super::file::{Entry, HandDrawing};
 use super::judge::{JudgedDrawing, Verdict};
 use super::says;
@@ -54,7 +55,8 @@ impl Screen {
             Made::Line(_, line) => Some(line.sheet),
             Made::Numbers(_) => None,
         };
-        let what = super::table::things(&made).into_iter().map(|(_, name)| name).collect::<Vec<_>>().join(", ");
+        let names = super::table::things(&made).into_iter().map(|(_, name)| self.judge.given().shown(&name));
+        let what = names.collect::<Vec<_>>().join(", ");
         let words = match stage {
             ..=1 => match (&made, sheet) {
                 (Made::Line(..), Some(sheet)) => says::next_line(crate::words::sheet_told(sheet)),
@@ -73,6 +75,8 @@ impl Screen {
         let own = self.own()?;
         // The own construction goes on with the hand's own things where they are there.
         let mut ahead = table.clone();
+        let has_centers = given.construction().centers.is_some();
+        let needed = if has_centers { needed(given, &own.did, table) } else { vec![true; own.did.len()] };
         for (index, entry) in own.did.iter().enumerate() {
             let is_line = matches!(entry, Entry::Line(_) | Entry::Join(_));
             let Ok(made) = ahead.carry_out(entry) else {
@@ -81,9 +85,8 @@ impl Screen {
             let is_there = match &made {
                 Made::Place(sheet, name, _) => table.place(*sheet, name).is_some(),
                 Made::Numbers(all) => {
-                    let own_numbers: Vec<&str> = table.numbers().map(|(name, _)| name).collect();
                     let is_measured = matches!(entry, Entry::Measure(_));
-                    is_measured || all.iter().all(|(name, _)| own_numbers.contains(&name.as_str()))
+                    is_measured || all.iter().all(|(name, _)| is_found(table, name))
                 }
                 Made::Line(name, line) => {
                     let leads_to = own.did[index..].iter().find_map(|later| match later {
@@ -100,7 +103,7 @@ impl Screen {
                     is_crossed || is_drawn
                 }
             };
-            if !is_there {
+            if !is_there && needed[index] {
                 return Some((entry.clone(), made));
             }
             if is_line || !matches!(made, Made::Place(..)) {

@@ -3,12 +3,15 @@
 use super::file::{Cross, Entry, HandDrawing};
 use super::given::Given;
 use super::others::others;
+use super::says;
 use super::table::{Made, Table};
-use crate::check::{AnswerKey, Told};
+use crate::check::{AnswerKey, PaperPoints, Told};
 use crate::construction::Tolerance;
+use crate::drawing::HandPaper;
 use crate::message::Message;
-use crate::scene::{Head, QuantityName};
+use crate::scene::{Head, QuantityName, SceneError, SceneTree};
 use crate::sheet::{PerSheet, Sheet};
+use crate::words::sheet_told;
 
 /// What is found of an entry.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,6 +113,29 @@ impl Judge {
         PerSheet::from_fn(|sheet| drawing.mu[sheet].unwrap_or(self.scales[sheet]))
     }
 
+    /// The drawing of a text, at scales at which paper is large enough for the sheets.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with the text, with its place.
+    pub fn read(&self, text: &str) -> Result<HandDrawing, SceneError> {
+        let drawing = HandDrawing::read(text)?;
+        let solution = &self.given.solution;
+        let is_there = |sheet: Sheet| sheet == Sheet::Scheme || PaperPoints::of(solution, sheet).is_some();
+        let is_too_large =
+            |(sheet, mu): &(Sheet, f64)| is_there(*sheet) && HandPaper::of(solution, *sheet, *mu, []).is_none();
+        let too_large = drawing.mu.given().find(is_too_large);
+        match too_large {
+            None => Ok(drawing),
+            Some((sheet, mu)) => {
+                let (key, metres) = (sheet.facts().scale_key, self.given.size(sheet) / mu * 1e-3);
+                let most = HandPaper::LONGEST * 1e-3;
+                let message = says::sheet_too_large(mu, sheet_told(sheet), format!("{metres:.0}"), most);
+                let hint = says::other_scale(significant(self.scales[sheet]), key);
+                Err(SceneTree::error(text, &[key], message, Some(hint)))
+            }
+        }
+    }
+
     /// The sheets as the hand drew them, up to the first entry that cannot be carried out.
     #[must_use]
     pub fn drawn(&self, drawing: &HandDrawing) -> (Table<'_>, Option<BoardError>) {
@@ -129,7 +155,7 @@ impl Judge {
         let construction = self.given.construction();
         let steps = construction.steps_of_quantities();
         let of_point = |sheet: Sheet, name: &str| {
-            let order = sheet.order()?;
+            let Some(order) = sheet.order() else { return steps.get(&format!("{name}.x")) };
             // A vector is the segment from where it begins.
             let ends_there = |quantity: &str| {
                 QuantityName::parse(quantity).is_some_and(|quantity| {
@@ -159,6 +185,13 @@ impl Judge {
         }
         found
     }
+}
+
+/// A number to three digits.
+fn significant(x: f64) -> String {
+    let places = (2.0 - libm::floor(libm::log10(x))).clamp(0.0, 9.0);
+    let text = format!("{x:.*}", places as usize);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 /// The entries that stand, with their indices.

@@ -1,6 +1,7 @@
 //! The numbers beside the sheets of a board, and the names of one's own that are free.
 
 use super::file::HandDrawing;
+use super::reads::two_points;
 use super::screen::Screen;
 use super::shown::{BoardNumber, FreeNames};
 use super::table::Table;
@@ -91,7 +92,7 @@ impl Numbers<'_> {
         let table = self.table;
         let mut all = self.given();
         // Lengths that are taken from the scheme, as up to a block on its lever or to a special point.
-        let pairs = self.screen.references(table).into_iter().filter(|reference| reference.name.contains(','));
+        let pairs = self.screen.references(table).into_iter().filter(|reference| two_points(&reference.name).is_some());
         for name in pairs.map(|reference| format!("L({})", reference.name)) {
             if let (Some(number), false) = (table.known(&name), all.iter().any(|known| known.name == name)) {
                 all.push(self.number(&name, number, None));
@@ -103,15 +104,18 @@ impl Numbers<'_> {
                 .map(|(name, number)| self.number(name, number, self.makers.get(&(None, name.to_owned())).copied())),
         );
         // Segments between points that are there, from the pole on.
-        for sheet in Sheet::ALL {
-            let Some(order) = sheet.order() else { continue };
+        for sheet in Sheet::ALL.into_iter().filter(|sheet| sheet.has_places()) {
             let own: Vec<&str> = table
                 .places(sheet)
                 .map(|(name, _)| name)
                 .filter(|name| self.makers.contains_key(&(Some(sheet), (*name).to_owned())))
                 .collect();
             for (at, to) in own.iter().enumerate() {
-                for from in std::iter::once(&order.pole()).chain(&own[..at]) {
+                // From the pole; from the centres and joints that are there from the start.
+                let given = table.places(sheet).map(|(name, _)| name).filter(|name| {
+                    self.screen.judge.given().is_there(name) && sheet.order().is_none_or(|order| order.pole() == *name)
+                });
+                for from in given.chain(own[..at].iter().copied()) {
                     let name = sheet.segment_name(from, to);
                     let is_measured = all.iter().any(|number| number.name == name);
                     if let (Some(number), false) = (table.known(&name), is_measured) {

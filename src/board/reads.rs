@@ -3,7 +3,7 @@
 use super::direction::Direction;
 use super::file::{Compute, Cross, Entry, Join, LayOff, Like, Line, Measure, Solve};
 use super::formula::Formula;
-use super::given::{image, usual};
+use super::given::image;
 use super::table::{Table, Thing};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
@@ -56,13 +56,12 @@ impl Reads<'_, '_> {
     fn point(&mut self, on: Option<Sheet>, name: &str) {
         let sheets = Sheet::ALL.into_iter().filter(|sheet| on.is_none_or(|on| on == *sheet));
         let having = sheets.filter(|sheet| self.table.place(*sheet, name).is_some());
-        self.all.extend(having.map(|sheet| (Some(sheet), usual(sheet, name).to_owned())));
+        self.all.extend(having.map(|sheet| (Some(sheet), self.table.given.usual(sheet, name))));
     }
 
     fn reference(&mut self, on: Option<Sheet>, name: &str) {
-        match name.split_once(',') {
-            Some((from, to)) => {
-                let (from, to) = (from.trim(), to.trim());
+        match two_points(name) {
+            Some([from, to]) => {
                 let on_scheme = [from, to].iter().all(|p| self.table.place(Sheet::Scheme, p).is_some());
                 let on = if on_scheme { Some(Sheet::Scheme) } else { on };
                 [from, to].into_iter().for_each(|point| self.point(on, point));
@@ -102,11 +101,33 @@ impl Reads<'_, '_> {
     }
 }
 
-/// The sheet and the ends of a length or a segment.
+/// The sheet and the ends of a length or a segment: a length up to an instant centre is measured in their figure.
 pub(super) fn segment_of(name: &str) -> Option<(Sheet, [String; 2])> {
     let name = QuantityName::parse(name).filter(QuantityName::is_plain)?;
     match (name.head, name.arguments.as_slice()) {
+        (Head::Between(Sheet::Scheme), [from, to]) if is_center(from) || is_center(to) => {
+            Some((Sheet::Centers, [from.clone(), to.clone()]))
+        }
         (Head::Between(sheet), [from, to]) => Some((sheet, [from.clone(), to.clone()])),
         _ => None,
     }
+}
+
+/// Whether a name is that of an instant centre.
+pub(super) fn is_center(name: &str) -> bool {
+    QuantityName::parse(name).is_some_and(|name| name.head == Head::Center && name.is_plain())
+}
+
+/// The two points of a direction's name, as `B,C` and `P(1,3),C`; `None` for any other name.
+pub(super) fn two_points(name: &str) -> Option<[&str; 2]> {
+    let mut depth = 0;
+    let between = name.char_indices().find(|(_, letter)| {
+        match letter {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            _ => {}
+        }
+        *letter == ',' && depth == 0
+    });
+    between.map(|(at, _)| [name[..at].trim(), name[at + 1..].trim()])
 }

@@ -4,6 +4,8 @@ use crate::message::messages;
 
 messages! { "board":
     too_many(most, count);
+    sheet_too_large(mu, sheet, metres, most);
+    other_scale(mu, key);
 
     // Formulas.
     no_formula(text, place);

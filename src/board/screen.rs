@@ -3,11 +3,13 @@
 
 use super::file::{Entry, HandDrawing, LayOff, Snap};
 use super::free_hand::FREE;
+use super::given::Given;
 use super::judge::{BoardError, Judge, JudgedDrawing, Verdict};
 use super::reads::reads;
 use super::shown::{Board, BoardEntry, BoardName, BoardRefused, BoardSheet, BoardThing, NUMBERS, NameKind, ThingKind};
 use super::table::{DrawnLine, Made, Table, things};
 use super::writes::own_drawing;
+use crate::check::PaperPoints;
 use crate::construction::Rate;
 use crate::drawing::{
     Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, RichText, SheetLabels, hand_sheet,
@@ -72,12 +74,17 @@ impl Screen {
     }
 
     fn shows(&self, sheet: Sheet) -> bool {
-        sheet == Sheet::Scheme || self.judge.given().construction().plan_on(sheet).is_some()
+        let Given { solution, .. } = self.judge.given();
+        let is_drawn = || solution.construction.by_hand.contains(&sheet) && PaperPoints::of(solution, sheet).is_some();
+        sheet == Sheet::Scheme || is_drawn()
     }
 
     /// The paper of a sheet.
     #[must_use]
     pub fn paper(&self, sheet: Sheet, scales: PerSheet<f64>) -> Option<HandPaper> {
+        if !self.shows(sheet) {
+            return None;
+        }
         let known = self.papers.borrow()[sheet].filter(|paper| paper.mu == scales[sheet]);
         known.or_else(|| {
             // Helping points of the construction have room, too.
@@ -153,7 +160,8 @@ impl Screen {
     ) -> Vec<BoardThing> {
         let mut all = Vec::new();
         for (sheet, paper) in papers {
-            for (name, place) in table.places(*sheet) {
+            let given = self.judge.given();
+            for (name, place) in table.places(*sheet).filter(|(name, _)| !given.is_second_name(*sheet, name)) {
                 all.push(BoardThing {
                     sheet: *sheet,
                     kind: ThingKind::Point,
@@ -252,16 +260,25 @@ impl Screen {
     }
 
     pub(super) fn point_label(&self, sheet: Sheet, name: &str, labels: &SheetLabels<'_>) -> String {
-        match self.judge.given().construction().plan_on(sheet) {
-            Some(plan) => html_text(&labels.plan_point(plan, name)),
-            None => html_text(&RichText::math(&crate::construction::display(name))),
+        let mechanism = self.judge.given().mechanism();
+        match sheet {
+            Sheet::Scheme => html_text(&RichText::math(&crate::construction::display(name))),
+            // A joint with the centres that it is.
+            Sheet::Centers => {
+                let centers =
+                    self.judge.given().centers_at(name).map(|pair| labels.place(sheet, &pair.name(mechanism)));
+                let centers: Vec<String> = centers.map(|label| html_text(&label)).collect();
+                let own = html_text(&labels.place(sheet, name));
+                if centers.is_empty() { own } else { format!("{own} = {}", centers.join(", ")) }
+            }
+            _ => html_text(&labels.place(sheet, name)),
         }
     }
 
     fn names(&self, table: &Table<'_>, labels: &SheetLabels<'_>) -> Vec<BoardName> {
         let given = self.judge.given();
         let mut all = Vec::new();
-        for sheet in Sheet::ALL {
+        for sheet in Sheet::ALL.into_iter().filter(|sheet| self.shows(*sheet)) {
             for (name, _) in given.places(sheet) {
                 let is_made = table.place(sheet, name).is_some();
                 let label = self.point_label(sheet, name, labels);
@@ -409,7 +426,7 @@ impl Screen {
     #[must_use]
     pub fn sheets(&self, drawing: &HandDrawing, judged: Option<&JudgedDrawing>, name: &str) -> Vec<Drawing> {
         let scales = self.judge.scales(drawing);
-        let plans = Sheet::ALL.into_iter().filter(|sheet| sheet.order().is_some() && self.shows(*sheet));
+        let plans = Sheet::ALL.into_iter().filter(|sheet| sheet.has_places() && self.shows(*sheet));
         let hands: Vec<HandSheet> = plans.map(|sheet| self.hand(drawing, sheet, None, judged)).collect();
         let note = self.free_hand(drawing);
         hand_sheets(&self.judge.given().solution, &hands, &scales.map(Some), name, note.as_deref())

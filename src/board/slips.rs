@@ -4,6 +4,7 @@
 use super::file::{Compute, Entry, LayOff, Measure, Solve};
 use super::formula::Formula;
 use super::free_hand::FREE;
+use super::given::Given;
 use super::table::{Made, Table};
 use crate::check::Told;
 use crate::check::tell;
@@ -65,18 +66,14 @@ impl Slip<'_, '_> {
             });
             Some((sheet, split.unwrap_or_else(|| [measure.from.clone(), measure.to.clone()])))
         })?;
-        let quantity = || Blank::Quantity(name.clone());
         if !self.is_same(*found, right) {
-            let at = |end: &String| Blank::from(end.as_str());
             let is_other = |ends: &[String; 2]| {
                 let place = |name: &String| self.table.given.place(sheet, name);
                 place(&ends[0]) != place(&measure.from) || place(&ends[1]) != place(&measure.to)
             };
             let turned = [ends[1].clone(), ends[0].clone()];
-            return (is_other(&ends) && is_other(&turned)).then(|| match sheet {
-                Sheet::Scheme => tell::wrong_length(Blank::Symbol(name.clone()), at(&measure.from), at(&measure.to)),
-                _ => tell::wrong_segment(quantity(), at(&measure.from), at(&measure.to)),
-            });
+            return (is_other(&ends) && is_other(&turned))
+                .then(|| between_others(self.table.given, sheet, name, [&measure.from, &measure.to]));
         }
         None
     }
@@ -105,6 +102,9 @@ impl Slip<'_, '_> {
     }
 
     fn computed(&self, compute: &Compute, (name, found): &(String, f64), right: f64) -> Option<Told> {
+        if let Some(told) = self.by_centers(compute, (name, *found), right) {
+            return Some(told);
+        }
         let is_rate = super::bench::turns(name);
         let is_turned =
             self.is_same(*found, -right) || (self.tolerance > 1e-3 && (found + right).abs() < 0.1 * right.abs());
@@ -231,7 +231,7 @@ impl Slip<'_, '_> {
     }
 
     /// A length or a segment that stands for another, which would be right: one between points that are drawn before others.
-    fn exchanged(&self, formulas: &[&Formula], is_right: &dyn Fn(&str, f64) -> bool) -> Option<Told> {
+    pub(super) fn exchanged(&self, formulas: &[&Formula], is_right: &dyn Fn(&str, f64) -> bool) -> Option<Told> {
         let is_drawn = |name: &str| {
             super::reads::segment_of(name)
                 .is_some_and(|(sheet, ends)| ends.iter().all(|end| self.table.place(sheet, end).is_some()))
@@ -249,15 +249,13 @@ impl Slip<'_, '_> {
         formulas.iter().flat_map(|formula| formula.names()).find_map(|own| {
             let (sheet, ends) = super::reads::segment_of(own).or_else(|| self.measured.get(own).cloned())?;
             let all = match sheet.order() {
+                None if sheet == Sheet::Centers => super::centers::distances(self.table),
                 None => lengths(self.table),
                 Some(order) => segments(self.table, order),
             };
             let (other, _) = all.into_iter().find(|(other, length)| is_meant(other) && is_right(own, *length))?;
-            let [from, to] = ends.each_ref().map(|end| Blank::from(end.as_str()));
-            Some(match sheet {
-                Sheet::Scheme => tell::wrong_length(Blank::Symbol(other), from, to),
-                _ => tell::wrong_segment(Blank::Quantity(other), from, to),
-            })
+            let [from, to] = &ends;
+            Some(between_others(self.table.given, sheet, &other, [from, to]))
         })
     }
 
@@ -340,6 +338,16 @@ impl Slip<'_, '_> {
             Entry::LayOff(LayOff { from, .. }) => from.as_str().into(),
             _ => name.into(),
         }
+    }
+}
+
+/// A length or segment of that name that was measured between other points.
+pub(super) fn between_others(given: &Given, sheet: Sheet, name: &str, ends: [&String; 2]) -> Told {
+    let [from, to] = ends.map(|end| super::centers::end(given, end));
+    match sheet {
+        Sheet::Scheme => tell::wrong_length(Blank::Symbol(name.to_owned()), from, to),
+        Sheet::Centers => tell::distance_from_wrong_center(Blank::Quantity(name.to_owned()), from, to),
+        _ => tell::wrong_segment(Blank::Quantity(name.to_owned()), from, to),
     }
 }
 

@@ -201,7 +201,9 @@ impl Press<'_> {
         if sheet != self.pressed.sheet {
             return Vec::new();
         }
-        let all = self.table.places(sheet).map(|(name, place)| {
+        let given = self.screen.judge.given();
+        let places = self.table.places(sheet).filter(|(name, _)| !given.is_second_name(sheet, name));
+        let all = places.map(|(name, place)| {
             let at = self.paper.at(place);
             (self.distance(at), name.to_owned(), at)
         });
@@ -252,7 +254,8 @@ impl Press<'_> {
                 caught.push((distance + 1e-3 * length, snapped));
             }
         };
-        if self.pressed.sheet == Sheet::Scheme {
+        // The figure of instant centres has the mechanism, too.
+        if matches!(self.pressed.sheet, Sheet::Scheme | Sheet::Centers) {
             let all = self.screen.references(self.table);
             for (index, reference) in all.iter().enumerate() {
                 // A link of two points and the two are the same at a press.
@@ -303,7 +306,11 @@ impl Press<'_> {
         let Ok(direction) = self.table.direction(sheet, &along) else { return Vec::new() };
         let press = self.paper.under(self.pressed.at);
         let off = |place: Vector| cross(direction, place - press).abs() / self.paper.mu;
-        let near = self.table.places(sheet).filter(|(_, place)| off(*place) <= self.pressed.reach);
+        let given = self.screen.judge.given();
+        let near = self
+            .table
+            .places(sheet)
+            .filter(|(name, place)| off(*place) <= self.pressed.reach && !given.is_second_name(sheet, name));
         let mut caught: Vec<Caught> = near
             .map(|(name, place)| {
                 let at = self.paper.at(place);

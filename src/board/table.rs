@@ -3,7 +3,8 @@
 use super::direction::Direction;
 use super::file::{Compute, Cross, Entry, Join, LayOff, Like, Line, Mark, Measure};
 use super::formula::Formula;
-use super::given::{Given, image, usual};
+use super::given::{Given, image};
+use super::reads::{is_center, segment_of, two_points};
 use super::says;
 use crate::geometry::{Vector, cross, degrees_of, direction_of_degrees, quarter_turn, unit};
 use crate::message::Message;
@@ -49,7 +50,7 @@ pub(super) type Thing = (Option<Sheet>, String);
 /// The things that are made.
 pub(super) fn things(made: &Made) -> Vec<Thing> {
     match made {
-        Made::Place(sheet, name, _) => vec![(Some(*sheet), usual(*sheet, name).to_owned())],
+        Made::Place(sheet, name, _) => vec![(Some(*sheet), name.clone())],
         Made::Line(name, _) => vec![(None, name.clone())],
         Made::Numbers(all) => all.iter().map(|(name, _)| (None, name.clone())).collect(),
     }
@@ -89,6 +90,11 @@ impl<'g> Table<'g> {
         self.scales[sheet]
     }
 
+    /// The same of all sheets.
+    pub(super) fn scales(&self) -> PerSheet<f64> {
+        self.scales
+    }
+
     /// The points that are there.
     pub fn places(&self, sheet: Sheet) -> impl Iterator<Item = (&str, Vector)> {
         let on = self.places.iter().filter(move |((other, _), _)| *other == sheet);
@@ -98,7 +104,7 @@ impl<'g> Table<'g> {
     /// A point that is there.
     #[must_use]
     pub fn place(&self, sheet: Sheet, name: &str) -> Option<Vector> {
-        self.places.get(&(sheet, usual(sheet, name).to_owned())).copied()
+        self.places.get(&(sheet, self.given.usual(sheet, name))).copied()
     }
 
     /// The lines that are there.
@@ -114,7 +120,7 @@ impl<'g> Table<'g> {
     /// Puts down what an entry has made.
     pub fn put(&mut self, made: Made) {
         match made {
-            Made::Place(sheet, name, at) => drop(self.places.insert((sheet, usual(sheet, &name).to_owned()), at)),
+            Made::Place(sheet, name, at) => drop(self.places.insert((sheet, name), at)),
             Made::Line(name, line) => drop(self.lines.insert(name, line)),
             Made::Numbers(all) => self.numbers.extend(all),
         }
@@ -147,7 +153,9 @@ impl<'g> Table<'g> {
     pub(super) fn carried_out_again(&self, entry: &Entry) -> Result<Made, Message> {
         let mut before = self.clone();
         let names = entry.made();
-        before.places.retain(|(_, name), _| !names.contains(&name.as_str()) || self.given.is_there(name));
+        before.places.retain(|(sheet, own), _| {
+            !names.iter().any(|name| self.given.usual(*sheet, name) == *own) || self.given.is_there(own)
+        });
         before.lines.retain(|name, _| !names.contains(&name.as_str()));
         before.numbers.retain(|name, _| !names.contains(&name.as_str()));
         before.carry_out(entry)
@@ -184,8 +192,9 @@ impl<'g> Table<'g> {
     }
 
     fn new_place(&self, sheet: Sheet, name: &str) -> Result<String, Message> {
-        let free = is_name(name) && self.place(sheet, name).is_none();
-        if free { Ok(name.to_owned()) } else { Err(says::taken(name)) }
+        let is_one = is_name(name) || sheet == Sheet::Centers && is_center(name);
+        let free = is_one && self.place(sheet, name).is_none();
+        if free { Ok(self.given.usual(sheet, name)) } else { Err(says::taken(name)) }
     }
 
     fn new_line(&self, name: &str) -> Result<String, Message> {
@@ -227,8 +236,7 @@ impl<'g> Table<'g> {
         if let Some(line) = self.lines.get(name) {
             return Ok(line.along);
         }
-        if let Some((from, to)) = name.split_once(',') {
-            let (from, to) = (from.trim(), to.trim());
+        if let Some([from, to]) = two_points(name) {
             let on_scheme = [from, to].iter().all(|p| self.place(Sheet::Scheme, p).is_some());
             let on = if on_scheme { Sheet::Scheme } else { sheet };
             let between = self.point(on, to)? - self.point(on, from)?;
@@ -323,10 +331,7 @@ impl<'g> Table<'g> {
     /// # Errors
     /// It is not said, or a point is missing.
     pub(super) fn measured_on(&self, Measure { measure, on, from, to, .. }: &Measure) -> Result<Sheet, Message> {
-        let named = QuantityName::parse(measure).and_then(|name| match name.head {
-            Head::Between(sheet) => Some(sheet),
-            _ => None,
-        });
+        let named = segment_of(measure).map(|(sheet, _)| sheet);
         self.sheet(on.or(named), &[from, to])
     }
 
@@ -411,8 +416,10 @@ impl<'g> Table<'g> {
         let quantity = QuantityName::parse(name).filter(QuantityName::is_plain)?;
         let ends =
             |sheet: Sheet, from: &str, to: &str| Some((self.place(sheet, to)? - self.place(sheet, from)?).norm());
+        if let Some((sheet, [from, to])) = segment_of(name) {
+            return ends(sheet, &from, &to);
+        }
         match (quantity.head, quantity.arguments.as_slice()) {
-            (Head::Between(sheet), [from, to]) => ends(sheet, from, to),
             (Head::Velocity, [point]) => ends(Sheet::Velocity, Order::Velocity.pole(), &image(point)),
             (Head::Velocity, [point, from]) => ends(Sheet::Velocity, &image(from), &image(point)),
             (Head::Acceleration, [point]) => ends(Sheet::Acceleration, Order::Acceleration.pole(), &image(point)),

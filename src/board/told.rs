@@ -3,6 +3,7 @@
 use super::direction::Direction;
 use super::file::{Compute, Cross, Entry, HandDrawing, Join, LayOff, Like, Line, Mark, Measure, Solve, Undo};
 use super::judge::{Judge, JudgedDrawing, Verdict, Wrong};
+use super::reads::two_points;
 use super::says;
 use crate::message::Message;
 use crate::words::{Medium, Wording};
@@ -92,19 +93,20 @@ impl Entry {
     #[must_use]
     pub fn told(&self, judge: &Judge, medium: Medium) -> Message {
         let list = |all: &[String], between| Message::list(all.iter().map(Message::from), between);
+        let point = |name: &str| judge.given().shown(name);
         match self {
-            Entry::Join(Join { join, points, .. }) => says::join(join, &points[0], &points[1]),
+            Entry::Join(Join { join, points, .. }) => says::join(join, point(&points[0]), point(&points[1])),
             Entry::Line(Line { line, through: Some(through), along: Some(along), .. }) => {
-                says::line(line, through, along.told(judge, medium))
+                says::line(line, point(through), along.told(judge, medium))
             }
             Entry::Line(Line { line, .. }) => says::line_by_eye(line),
-            Entry::Cross(Cross { cross, of, .. }) => says::cross(cross, &of[0], &of[1]),
+            Entry::Cross(Cross { cross, of, .. }) => says::cross(point(cross), &of[0], &of[1]),
             Entry::LayOff(LayOff { lay_off, from, size, along, .. }) => {
                 says::lay_off(lay_off, from, size.written(medium), along.told(judge, medium))
             }
             Entry::Like(Like { like, ends, points, .. }) => says::like(like, list(ends, ""), list(points, "")),
-            Entry::Mark(Mark { mark, .. }) => says::mark(mark),
-            Entry::Measure(Measure { measure, from, to, .. }) => says::measure(measure, from, to),
+            Entry::Mark(Mark { mark, .. }) => says::mark(point(mark)),
+            Entry::Measure(Measure { measure, from, to, .. }) => says::measure(measure, point(from), point(to)),
             Entry::Compute(Compute { compute, by, value, sense }) => {
                 let told = match (by, value) {
                     (Some(formula), _) => says::compute(compute, formula.written(medium)),
@@ -135,8 +137,8 @@ impl Direction {
                 says::link(name)
             } else if mechanism.slider_ids().any(|id| mechanism.slider_name(id) == name) {
                 says::guide(name)
-            } else if name.contains(',') {
-                name.replace([',', ' '], "").into()
+            } else if let Some(points) = two_points(name) {
+                points.map(|point| judge.given().shown(point)).concat().into()
             } else {
                 says::drawn_line(name)
             }

@@ -2,8 +2,8 @@
 
 use super::given::Given;
 use crate::construction::{
-    Along, Construction, LineId, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId, Product,
-    Reference,
+    Along, Construction, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole, PlaceId,
+    Product, Reference,
 };
 use crate::mechanism::Mechanism;
 use crate::sheet::{PerSheet, Scales, Sheet};
@@ -14,7 +14,12 @@ use serde_json::{Map, Value as Json, json};
 #[must_use]
 pub fn own_drawing(given: &Given, scales: &Scales) -> String {
     let mut writer = Writer::new(given);
-    for operation in &given.construction().operations {
+    let construction = given.construction();
+    let is_drawn = |operation: &&Operation| {
+        // Numbers that the scene gives are there whatever is drawn.
+        construction.by_hand.contains(&operation.sheet) || matches!(operation.kind, OperationKind::Take { .. })
+    };
+    for operation in construction.operations.iter().filter(is_drawn) {
         writer.write(operation.sheet, operation.role, &operation.kind, operation.step.is_some());
     }
     let mut head = Map::new();

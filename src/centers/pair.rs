@@ -28,6 +28,19 @@ impl LinkPair {
         LinkPair::new(mechanism.link(a)?, mechanism.link(b)?)
     }
 
+    /// The pair of two links by their names as a hand writes them: in either order, the frame also as 0.
+    #[must_use]
+    pub fn of_names(names: &[String], mechanism: &Mechanism) -> Option<LinkPair> {
+        let link = |name: &String| match name.as_str() {
+            "0" if mechanism.link("0").is_none() => Some(GROUND),
+            name => mechanism.link(name),
+        };
+        match names {
+            [a, b] => LinkPair::new(link(a)?, link(b)?),
+            _ => None,
+        }
+    }
+
     /// All pairs of the frame and the links with names, those with the frame first.
     #[must_use]
     pub fn all(mechanism: &Mechanism) -> Vec<LinkPair> {

@@ -3,13 +3,14 @@
 
 use super::measured::{AnswerKey, Given, Measured, ON_PAPER, PlacedPoint, PointsOf, Positive, WIDEST};
 use super::names::{Meant, Names};
+use super::on_paper::PaperPoints;
 use super::table;
 use super::written::given;
-use crate::construction::{Plan, Solution};
+use crate::construction::Solution;
 use crate::drawing::{RichText, SheetLabels};
-use crate::quantity::{QuantityRequest, What};
+use crate::quantity::QuantityRequest;
 use crate::scene::{FileKind, SceneError, read_as};
-use crate::sheet::{Order, Scales};
+use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::text::{Untrusted, shown};
 use indexmap::{IndexMap, IndexSet};
 use serde::de::{Error, MapAccess, Visitor};
@@ -36,7 +37,7 @@ struct FormFile {
     written_in: Option<Paper>,
     #[serde(default)]
     values: IndexMap<String, Value>,
-    points: Option<IndexMap<Order, IndexMap<String, PlacedPoint>>>,
+    points: Option<IndexMap<PlacedSheet, IndexMap<String, PlacedPoint>>>,
     #[serde(default)]
     upright: bool,
     #[serde(default)]
@@ -63,6 +64,22 @@ impl<'de> Deserialize<'de> for PlacedPoint {
                 others.len()
             ))),
         }
+    }
+}
+
+/// A sheet whose points have places on paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct PlacedSheet(Sheet);
+
+impl<'de> Deserialize<'de> for PlacedSheet {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<PlacedSheet, D::Error> {
+        let word = String::deserialize(deserializer)?;
+        let sheet = Sheet::from_word(&word).filter(|sheet| sheet.has_places());
+        sheet.map(PlacedSheet).ok_or_else(|| {
+            let known = Sheet::ALL.into_iter().filter(|sheet| sheet.has_places());
+            let known = known.map(|sheet| format!("`{}`", sheet.as_str())).collect::<Vec<_>>().join(", ");
+            D::Error::custom(format!("unknown variant `{}`, expected one of {known}", shown(&word)))
+        })
     }
 }
 
@@ -152,9 +169,9 @@ impl Measured {
             given(name, text.trim(), unit, place)
         });
         let mut places = file.points.unwrap_or_default();
-        let points = Order::ALL.into_iter().filter_map(|order| {
-            let places = places.swap_remove(&order)?;
-            (!places.is_empty()).then_some(PointsOf { order, places })
+        let points = Sheet::ALL.into_iter().filter_map(|sheet| {
+            let places = places.swap_remove(&PlacedSheet(sheet))?;
+            (!places.is_empty()).then_some(PointsOf { sheet, places })
         });
         Ok(Measured {
             name: file.name,
@@ -246,10 +263,10 @@ fn written(measured: &Measured, values: &IndexMap<String, Value>) -> String {
     put("upright", json!(measured.upright.then_some(true)));
     put("hints", json!((measured.hints > 0).then_some(measured.hints)));
     put("values", json!(values));
-    let places_of = |order: Order| -> IndexMap<&String, &PlacedPoint> {
-        measured.points.iter().filter(|plan| plan.order == order).flat_map(|plan| &plan.places).collect()
+    let places_of = |sheet: Sheet| -> IndexMap<&String, &PlacedPoint> {
+        measured.points.iter().filter(|points| points.sheet == sheet).flat_map(|points| &points.places).collect()
     };
-    let points = Order::ALL.into_iter().map(|order| (order.sheet().as_str(), places_of(order)));
+    let points = Sheet::ALL.into_iter().map(|sheet| (sheet.as_str(), places_of(sheet)));
     let points: IndexMap<_, _> = points.filter(|(_, places)| !places.is_empty()).collect();
     put("points", json!((!measured.points.is_empty()).then_some(points)));
     crate::format::json(&form)
@@ -294,24 +311,16 @@ pub fn further_boxes(measured: &Measured, key: &AnswerKey<'_>) -> Vec<FormBox> {
     further.filter_map(of_name).collect()
 }
 
-/// By plan the points between which the form's segments lie, the pole first: the names under which a form gives their
-/// places, and their labels.
+/// By sheet the points between which the form's segments lie, or whose coordinates it asks for, the origin first: the names under which a form gives their
+/// places, and their labels. None of a sheet that is not there.
 #[must_use]
-pub fn plan_points(solution: &Solution) -> [Vec<(String, RichText)>; 2] {
+pub fn sheet_points(solution: &Solution) -> PerSheet<Vec<(String, RichText)>> {
     let labels = SheetLabels::of(solution);
     let boxes = form_boxes(solution);
-    let of_plan = |plan: &Plan| {
-        let mut names = vec![plan.order.pole().to_owned()];
-        for found in &boxes {
-            if let What::Segment(order, [from, to]) = &found.asked.what
-                && *order == plan.order
-            {
-                names.extend([from, to].map(ToString::to_string));
-            }
-        }
-        let names: IndexSet<String> = names.into_iter().collect();
-        names.into_iter().map(|name| (name.clone(), labels.plan_point(plan, &name))).collect()
+    let of_sheet = |points: PaperPoints<'_>| {
+        let asked = boxes.iter().flat_map(|found| points.named_by(&found.asked));
+        let names: IndexSet<String> = std::iter::once(points.origin().to_owned()).chain(asked).collect();
+        names.into_iter().map(|name| (name.clone(), points.label(&labels, &name))).collect()
     };
-    let construction = &solution.construction;
-    Order::ALL.map(|order| construction.plan(order).map_or_else(Vec::new, of_plan))
+    PerSheet::from_fn(|sheet| PaperPoints::of(solution, sheet).map_or_else(Vec::new, of_sheet))
 }

@@ -1,11 +1,12 @@
 //! What a check starts from: the answer key, and the values of a form as they were written down, with what is not
 //! understood of them.
 
+use super::on_paper::PaperPoints;
 use super::says;
-use crate::construction::{Plan, Solution, Tolerance};
+use crate::construction::{Solution, Tolerance};
 use crate::geometry::Vector;
 use crate::message::Message;
-use crate::sheet::{Order, Scales};
+use crate::sheet::{Scales, Sheet};
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
@@ -66,7 +67,7 @@ pub struct Measured {
     pub values: Vec<Given>,
     /// The names of boxes that are there but not filled in, and of what a photograph was looked through for and did not show.
     pub blank: Vec<String>,
-    /// Places of plan points on paper.
+    /// Places of points on paper, by sheet.
     pub points: Vec<PointsOf>,
     /// Whether the places are those of sheets that lie as they were printed, x along the scheme's; else each plan may lie turned.
     pub upright: bool,
@@ -131,17 +132,17 @@ impl Given {
     }
 }
 
-/// Places of a plan's points on paper in millimetres, x right, y up; the origin is arbitrary, and so is the sheet's rotation unless
+/// Places of a sheet's points on paper in millimetres, x right, y up; from where they are measured is arbitrary, and so is the sheet's rotation unless
 /// the form is [upright](Measured::upright).
 #[derive(Clone, Debug)]
 pub struct PointsOf {
-    /// Of which plan.
-    pub order: Order,
-    /// The places by the points' names, the pole's among them.
+    /// Of which sheet.
+    pub sheet: Sheet,
+    /// The places by the points' names, that of the sheet's [origin](super::PaperPoints::origin) among them.
     pub places: IndexMap<String, PlacedPoint>,
 }
 
-/// The place of a point in a student's plan, in mm, y up.
+/// The place of a point on a student's sheet, in mm, y up.
 #[derive(Clone, Copy, Debug)]
 pub struct PlacedPoint {
     /// Where it is.
@@ -154,10 +155,10 @@ pub struct PlacedPoint {
 pub(super) const WIDEST: f64 = 100.0;
 
 impl PointsOf {
-    /// A plan without places.
+    /// A sheet without places.
     #[must_use]
-    pub fn new(order: Order) -> PointsOf {
-        PointsOf { order, places: IndexMap::new() }
+    pub fn new(sheet: impl Into<Sheet>) -> PointsOf {
+        PointsOf { sheet: sheet.into(), places: IndexMap::new() }
     }
 
     /// Sets the place of a point, with its radius, if it has one.
@@ -165,17 +166,18 @@ impl PointsOf {
         self.places.insert(name.into(), PlacedPoint { at, band });
     }
 
-    /// The name that the pole has among the places.
-    #[must_use]
-    pub fn pole(&self) -> Option<&'static str> {
-        let mut written = ["π", "pi", "p'", "p"].into_iter();
-        written.find(|p| self.places.contains_key(*p))
+    /// The name that the sheet's origin has among the places.
+    pub(super) fn origin<'p>(&self, points: &PaperPoints<'p>) -> Option<&'p str> {
+        let own = [points.origin()];
+        let written = if self.sheet.order().is_some() { &["π", "pi", "p'", "p"][..] } else { &own };
+        written.iter().copied().find(|name| self.places.contains_key(*name))
     }
 
-    /// Whether the places are those of the mirrored plan: no rotation brings them near the right ones, but one of the
+    /// Whether the places are those of a mirrored plan: no rotation brings them near the right ones, but one of the
     /// mirror image does.
-    pub(super) fn is_mirrored(&self, plan: &Plan) -> bool {
-        let Some(pole) = self.pole() else {
+    pub(super) fn is_mirrored(&self, points: &PaperPoints<'_>) -> bool {
+        // Two centres of which one is wrong may look like that.
+        let Some(pole) = self.origin(points).filter(|_| self.sheet.order().is_some()) else {
             return false;
         };
         let pole = Vector::from(self.places[pole].at);
@@ -183,8 +185,8 @@ impl PointsOf {
         let (mut turned, mut mirrored) = (Vector::zeros(), Vector::zeros());
         let (mut right, mut written) = (0.0, 0.0);
         for (name, place) in &self.places {
-            let Some(point) = plan.points.get(name) else { continue };
-            let (z, w) = (point.vector, Vector::from(place.at) - pole);
+            let Some(z) = points.right(name) else { continue };
+            let w = Vector::from(place.at) - pole;
             turned += Vector::new(z.dot(&w), z.x * w.y - z.y * w.x);
             mirrored += Vector::new(z.x * w.x - z.y * w.y, z.x * w.y + z.y * w.x);
             right += z.norm_squared();

@@ -6,7 +6,7 @@
 //! In reading order: `measured` has the answer key, the values of a form and the error of what is not understood; `names`
 //! has the names of a form's boxes, those on the sheets, and what a written name means, `named` the centres of forms whose figure shows none; `form` reads and writes forms as
 //! JSON and lists their boxes for a page, `table` as a table. `entry` makes of each value a quantity with its number, with
-//! what `written` knows of digits and units, and `placed` what places of points tell; `sensible` has the scales at which a sheet can be drawn,
+//! what `written` knows of digits and units, `on_paper` which points of a sheet have places, and `placed` what these tell; `sensible` has the scales at which a sheet can be drawn,
 //! `common` the error that all lengths of a sheet share. `checked` is what a check finds; `verdicts` judges the values, `prepared` carries it out and keeps what many
 //! forms of one scene have in common.
 //!
@@ -17,7 +17,7 @@
 //!
 //! `report` says it in parts and as text, `result` as JSON, `redrawn/` draws the student's sheets as they probably were,
 //! `marks` gives the marks that values earn, `class` sums up many drawings, `feedback` makes of one what its student gets
-//! back; `student` draws with mistakes on purpose; `photographs` has the plans of photographed sheets, `proposed/` finds
+//! back; `student` draws with mistakes on purpose; `photographs` has what is on photographed sheets, `proposed/` finds
 //! their points among the pencil lines. Nothing is read or printed here, and no plan is computed again.
 //!
 //! # A check replays mistakes
@@ -73,6 +73,7 @@ mod mistakes;
 pub mod model;
 mod named;
 mod names;
+mod on_paper;
 #[cfg(feature = "photo")]
 mod photographs;
 mod placed;
@@ -101,12 +102,13 @@ pub use class::{ClassColumns, ClassFound, ClassMistake, ClassResult, ClassRow, C
 pub use common::CommonError;
 pub use entry::{Entry, entries, faults};
 pub use feedback::Feedback;
-pub use form::{FormBox, form_boxes, further_boxes, plan_points};
+pub use form::{FormBox, form_boxes, further_boxes, sheet_points};
 pub use marks::{Awarded, MarkScheme, Marks};
 pub use measured::{AnswerKey, CheckError, DEPTH, Given, LENIENCY, Measured, PlacedPoint, PointsOf, Positive};
 pub(crate) use mistakes::tell;
 pub use mistakes::{Blank, Candidate, Mistake, Told};
 pub use names::{asked_names, form_names};
+pub use on_paper::PaperPoints;
 #[cfg(feature = "photo")]
 pub use photographs::{Aimed, PencilledPlan, PointVerdict, hundredths};
 pub use placed::TurnedPlan;

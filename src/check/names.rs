@@ -8,7 +8,6 @@ use super::measured::{CheckError, UNDER_SLIDER};
 use super::says;
 use crate::centers::LinkPair;
 use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
-use crate::mechanism::GROUND;
 use crate::quantity::{Pole, QuantityError, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
@@ -298,11 +297,7 @@ impl<'a> Names<'a> {
     fn usual_center(&self, written: &str) -> Option<String> {
         let parts = QuantityName::parse(written).filter(|name| name.head == Head::Center)?;
         let mechanism = &self.solution.mechanism;
-        let link = |name: &String| match name.as_str() {
-            "0" if mechanism.link("0").is_none() => Some(GROUND),
-            name => mechanism.link(name),
-        };
-        let pair = LinkPair::new(link(parts.arguments.first()?)?, link(parts.arguments.get(1)?)?)?;
+        let pair = LinkPair::of_names(&parts.arguments, mechanism)?;
         let links = pair.links().map(|link| mechanism.body(link).name.clone());
         Some(parts.with_arguments(links.to_vec()).to_string())
     }
@@ -312,6 +307,9 @@ impl<'a> Names<'a> {
         let construction = &self.solution.construction;
         let name = written.trim().replace('′', "'");
         let Some(plan) = construction.plan_on(sheet) else {
+            if let Some(center) = self.usual_center(&name).filter(|_| sheet == Sheet::Centers) {
+                return center;
+            }
             let known = self.scheme_points().any(|known| known == name);
             let labelled = || self.scheme_points().find(|known| self.point(sheet, known).as_ref() == Some(&name));
             return if known { name } else { labelled().map_or(name.clone(), str::to_owned) };

@@ -1,24 +1,26 @@
-//! The plans of a student's photographed sheets: what is tapped on them, and how points stand there.
+//! What a student's photographed sheets show, plans or the figure of instant centres: what is tapped on them, and how points stand there.
 
 use super::measured::PlacedPoint;
+use super::on_paper::PaperPoints;
+use crate::construction::Solution;
 use crate::geometry::Point;
 use crate::photo::{PhotoSheet, Stroke, crossing};
-use crate::sheet::Order;
+use crate::sheet::Sheet;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Radius that holds a place that a hand has written or set by keys with 95 %, in mm.
 const AIMED: f64 = 0.5;
 
-/// A plan on a photographed sheet, with the pencil lines there.
+/// A plan or figure of instant centres on a photographed sheet, with the pencil lines there.
 #[derive(Clone, Copy)]
 pub struct PencilledPlan<'a> {
-    /// Which plan.
-    pub order: Order,
+    /// Its points.
+    pub points: PaperPoints<'a>,
     /// Its scale, in units of the scene per millimetre.
     pub mu: f64,
-    /// The place of its pole on the sheet, in mm, y down.
-    pub pole: [f64; 2],
+    /// The place of its origin on the sheet, in mm, y down: of a plan's pole, of the mechanism's first point.
+    pub origin: [f64; 2],
     /// The pencil lines of the sheet, in mm, y down.
     pub strokes: &'a [Stroke],
     /// The sheet in its photograph.
@@ -64,24 +66,35 @@ impl PointVerdict {
 }
 
 impl<'a> PencilledPlan<'a> {
-    /// The plans that a photographed sheet says are on it.
-    pub fn on(sheet: &'a PhotoSheet, strokes: &'a [Stroke]) -> impl Iterator<Item = PencilledPlan<'a>> {
+    /// What a photographed sheet of a scene says is on it and its points are read of.
+    pub fn on(
+        solution: &'a Solution,
+        sheet: &'a PhotoSheet,
+        strokes: &'a [Stroke],
+    ) -> impl Iterator<Item = PencilledPlan<'a>> {
         sheet.code.panels.iter().filter_map(move |placed| {
-            let order = placed.panel.order()?;
-            Some(PencilledPlan { order, mu: placed.mu, pole: placed.origin, strokes, sheet })
+            let points = PaperPoints::of(solution, placed.panel)?;
+            let origin = placed.at(points.origin_on_panel().into());
+            Some(PencilledPlan { points, mu: placed.mu, origin, strokes, sheet })
         })
     }
 
-    /// A place on the sheet from the pole, in mm, y up.
+    /// Which sheet of the construction it is.
     #[must_use]
-    pub fn from_pole(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [x - self.pole[0], self.pole[1] - y]
+    pub fn of(&self) -> Sheet {
+        self.points.sheet
     }
 
-    /// The place on the sheet of one given from the pole, in mm, y up.
+    /// A place on the sheet from the origin, in mm, y up.
+    #[must_use]
+    pub fn from_origin(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [x - self.origin[0], self.origin[1] - y]
+    }
+
+    /// The place on the sheet of one given from the origin, in mm, y up.
     #[must_use]
     pub fn on_sheet(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [x + self.pole[0], self.pole[1] - y]
+        [x + self.origin[0], self.origin[1] - y]
     }
 
     /// The place that somebody means who points at one on the sheet: where pencil lines cross within `reach` mm, else that place itself, which
@@ -99,7 +112,8 @@ impl<'a> PencilledPlan<'a> {
         point.band.unwrap_or_else(|| libm::hypot(AIMED, self.sheet.band(self.on_sheet(point.at))))
     }
 
-    /// How far a student's point is from its right place, in mm, and what that tells. The plan hangs on the student's pole, on the printed one without.
+    /// How far a student's point is from its right place, in mm, and what that tells. The plan hangs on the student's pole, on the printed one without; so a
+    /// figure of centres on the mechanism's first point.
     #[must_use]
     pub fn judged(
         &self,

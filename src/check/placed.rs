@@ -1,13 +1,14 @@
-//! What places of plan points on paper tell: their distances and directions from the pole and from each other, and how a plan lies to
-//! the scheme.
+//! What places of points on paper tell: of plan points their distances and directions from the pole and from each other, and how a plan lies to
+//! the scheme; of instant centres their coordinates.
 
 use super::entry::Entry;
 use super::measured::{CheckError, Measured, PlacedPoint, PointsOf};
 use super::names::{Meant, Names};
+use super::on_paper::PaperPoints;
 use super::says;
 use super::written::Precision;
-use crate::construction::{Construction, Plan};
-use crate::geometry::{Vector, degrees_of, with_turns};
+use crate::construction::{Construction, Solution};
+use crate::geometry::{Vector, degrees_of, turn_of_degrees, with_turns};
 use crate::sheet::Sheet;
 use crate::words::sheet_told;
 use indexmap::IndexMap;
@@ -37,23 +38,32 @@ pub struct TurnedPlan {
     pub degrees: f64,
 }
 
-/// Adds the distances and directions between plan points whose places are given: of each from the pole, and those that the steps name.
+/// Adds the coordinates of instant centres, and the distances and directions between plan points whose places are given: of each from the pole, and those that the steps name.
 /// What is written already keeps its value.
 pub(super) fn add(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) -> Result<(), CheckError> {
     for points in &measured.points {
-        let sheet = points.order.sheet();
-        let at = |name: &str| format!("points: {name} of {}", sheet.facts().segment);
+        let sheet = points.sheet;
         let Some(mu) = measured.mu[sheet] else {
             let mu = sheet.facts().scale_key;
             return Err(CheckError::new(says::points_without_scale(mu), says::add_scale_of(mu, sheet_told(sheet))));
         };
-        let pole = points.order.pole();
-        let construction = &names.solution.construction;
-        if points.pole().is_none() {
-            return Err(CheckError::new(says::no_pole(sheet_told(sheet), pole), says::add_pole(pole)));
+        let Some(own) = PaperPoints::of(names.solution, sheet) else {
+            let hint = says::add_scale_or_panel(sheet.facts().scale_key);
+            return Err(CheckError::new(says::no_sheet(sheet_told(sheet)), hint));
+        };
+        if points.origin(&own).is_none() {
+            let (message, origin) =
+                (if sheet.order().is_some() { says::no_pole } else { says::no_origin }, own.origin());
+            return Err(CheckError::new(message(sheet_told(sheet), origin), says::add_pole(origin)));
         }
-        let places = usual(points, construction);
-        let lies = Lies::of(points, construction.plan(points.order), measured.upright);
+        let places = usual(points, &own, &names.solution.construction);
+        let lies = Lies::of(points, &own, measured.upright);
+        if sheet.order().is_none() {
+            coordinates(entries, (&places, &own), (mu, lies), names)?;
+            continue;
+        }
+        let at = |name: &str| format!("points: {name} of {}", sheet.facts().segment);
+        let pole = own.origin();
         // Of each point from the pole, and of points that a step names.
         let others = || places.keys().map(String::as_str).filter(|name| *name != pole);
         let between = others().flat_map(|from| others().map(move |to| (from, to)));
@@ -79,21 +89,43 @@ pub(super) fn add(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'
     Ok(())
 }
 
+/// Adds the coordinates of instant centres whose places are given, in the scene's coordinates.
+fn coordinates(
+    entries: &mut Vec<Entry>,
+    (places, own): (&IndexMap<String, PlacedPoint>, &PaperPoints<'_>),
+    (mu, lies): (f64, Lies),
+    names: &Names<'_>,
+) -> Result<(), CheckError> {
+    let Some(turned) = lies.degrees() else { return Ok(()) };
+    for (name, place) in places.iter().filter(|(name, _)| own.joint(name).is_none()) {
+        let from_origin = Placed::between(places[own.origin()], *place);
+        let at = own.origin_on_panel() + turn_of_degrees(-turned).transform_vector(&from_origin.vector) * mu;
+        for (quantity, value) in own.quantities(name).into_iter().zip([at.x, at.y]) {
+            let meant = names.quantity(&quantity).map_err(|error| error.at(format!("points: {name}")))?;
+            if entries.iter().all(|entry| entry.asked.name() != meant.asked.name()) {
+                entries.push(from_origin.on_paper(meant, value, mu));
+            }
+        }
+    }
+    Ok(())
+}
+
 /// The plans of a form whose places lie turned to the scheme.
-pub(super) fn turned(measured: &Measured, construction: &Construction) -> Vec<TurnedPlan> {
+pub(super) fn turned(measured: &Measured, solution: &Solution) -> Vec<TurnedPlan> {
     let lying = measured.points.iter().filter_map(|points| {
-        let degrees = Lies::of(points, construction.plan(points.order), measured.upright).degrees()?;
-        Some(TurnedPlan { sheet: points.order.sheet(), degrees })
+        let own = PaperPoints::of(solution, points.sheet)?;
+        let degrees = Lies::of(points, &own, measured.upright).degrees()?;
+        Some(TurnedPlan { sheet: points.sheet, degrees })
     });
     lying.filter(|plan| plan.degrees.abs() >= TOLD).collect()
 }
 
-/// The places by the names that the plan has for its points.
-fn usual(points: &PointsOf, construction: &Construction) -> IndexMap<String, PlacedPoint> {
-    let own_pole = points.pole();
-    let named = |name: &str| match own_pole == Some(name) {
-        true => points.order.pole().to_owned(),
-        false => construction.plan_name(points.order, name).to_owned(),
+/// The places by the names that the sheet has for its points.
+fn usual(points: &PointsOf, own: &PaperPoints<'_>, construction: &Construction) -> IndexMap<String, PlacedPoint> {
+    let origin = points.origin(own);
+    let named = |name: &str| match origin == Some(name) {
+        true => own.origin().to_owned(),
+        false => construction.plan_name(points.sheet, name).to_owned(),
     };
     points.places.iter().map(|(name, &place)| (named(name), place)).collect()
 }
@@ -122,7 +154,12 @@ impl Placed {
 
     /// Its length as a value of a form.
     fn length(self, meant: Meant, mu: f64) -> Entry {
-        let entry = of(meant, self.mm * mu, self.rounding * mu);
+        self.on_paper(meant, self.mm * mu, mu)
+    }
+
+    /// What is measured between its ends on paper as a value of a form.
+    fn on_paper(self, meant: Meant, value: f64, mu: f64) -> Entry {
+        let entry = of(meant, value, self.rounding * mu);
         Entry { factor: mu, factor_without_unit: mu, on_paper: true, per_mm: Some(mu), ..entry }
     }
 
@@ -165,9 +202,9 @@ enum Lies {
 impl Lies {
     /// How the places of a plan lie: as most of its points show it, if they are not those of an upright sheet. Of two turns that as many
     /// points show it is the lesser.
-    fn of(points: &PointsOf, plan: Option<&Plan>, is_upright: bool) -> Lies {
-        let (Some(plan), Some(pole)) = (plan, points.pole()) else { return Lies::Mirrored };
-        if points.is_mirrored(plan) {
+    fn of(points: &PointsOf, own: &PaperPoints<'_>, is_upright: bool) -> Lies {
+        let Some(pole) = points.origin(own) else { return Lies::Mirrored };
+        if points.is_mirrored(own) {
             return Lies::Mirrored;
         }
         if is_upright {
@@ -175,7 +212,8 @@ impl Lies {
         }
         let pole = points.places[pole];
         let seen = points.places.iter().filter_map(|(name, &place)| {
-            let right = plan.points.get(name)?.vector;
+            // Joints show how a figure of centres lies: a single centre that is wrong would turn it.
+            let right = if own.sheet.order().is_some() { own.right(name) } else { own.joint(name) }?;
             let own = Placed::between(pole, place);
             let by = (own.mm >= SHORT && right != Vector::zeros())
                 .then(|| with_turns(degrees_of(own.vector) - degrees_of(right), 0.0))?;

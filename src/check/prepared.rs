@@ -9,13 +9,14 @@ use super::measured::{AnswerKey, CheckError, Measured, ON_PAPER, PointsOf};
 use super::mistakes::{Candidate, Site};
 use super::model::{COMPUTING, Model};
 use super::names::Names;
+use super::on_paper::PaperPoints;
 use super::placed::turned;
 use super::score::Scorer;
 use super::search::{Search, hand, other_modes};
 use super::sensible::sensible;
 use super::verdicts::{ENOUGH, judged, widened};
 use crate::construction::Tolerance;
-use crate::quantity::{Band, QuantityRequest, What};
+use crate::quantity::{Band, QuantityRequest};
 use crate::sheet::{PerSheet, Scales};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -134,13 +135,12 @@ impl<'a> Prepared<'a> {
                 Explained { diagnosis: Diagnosis { looked_at: 0, ..Diagnosis::none(&values) }, accuracy: None, values }
             }
         };
-        let plans = key.solution.construction.plans();
-        let mirrored = plans.filter(|plan| {
-            let mut places = measured.points.iter().filter(|p| p.order == plan.order);
-            places.any(|points| points.is_mirrored(plan))
+        let mirrored = PaperPoints::all(key.solution).filter(|own| {
+            let mut places = measured.points.iter().filter(|points| points.sheet == own.sheet);
+            places.any(|points| points.is_mirrored(own))
         });
-        let mirrored = mirrored.map(|plan| plan.sheet()).collect();
-        let (turned, missing) = (turned(measured, &key.solution.construction), self.missing(measured, &entries));
+        let mirrored = mirrored.map(|own| own.sheet).collect();
+        let (turned, missing) = (turned(measured, key.solution), self.missing(measured, &entries));
         let hints = measured.hints;
         Ok(Checked { values, diagnosis, accuracy, mirrored, turned, missing, scales, common, values_of: None, hints })
     }
@@ -233,10 +233,10 @@ impl<'a> Prepared<'a> {
     fn missing(&self, measured: &Measured, entries: &[Entry]) -> Vec<String> {
         let is_whole = measured.exercise.is_some() && !measured.values.is_empty();
         let blank: BTreeSet<&str> = measured.blank.iter().map(|name| name.trim_end_matches(ON_PAPER)).collect();
-        let is_seen = |row: &str| match QuantityRequest::new(row, &self.key.solution.mechanism).map(|asked| asked.what)
-        {
-            Ok(What::Segment(order, _)) => measured.points.iter().any(|plan| plan.order == order),
-            _ => false,
+        let is_seen = |row: &str| {
+            let Ok(asked) = QuantityRequest::new(row, &self.key.solution.mechanism) else { return false };
+            let mut given = measured.points.iter().filter_map(|given| PaperPoints::of(self.key.solution, given.sheet));
+            given.any(|points| !points.named_by(&asked).is_empty())
         };
         let is_asked = |row: &str| {
             let is_blank = blank.contains(row) || blank.contains(self.names.in_form(row).as_str());
@@ -250,8 +250,8 @@ impl<'a> Prepared<'a> {
     /// The values with the usual names of plan points, which may be written in any notation.
     fn with_usual_points(&self, measured: &Measured) -> Measured {
         let mut measured = measured.clone();
-        for PointsOf { order, places } in &mut measured.points {
-            *places = places.iter().map(|(name, at)| (self.names.usual_point(order.sheet(), name), *at)).collect();
+        for PointsOf { sheet, places } in &mut measured.points {
+            *places = places.iter().map(|(name, at)| (self.names.usual_point(*sheet, name), *at)).collect();
         }
         measured
     }

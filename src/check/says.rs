@@ -10,6 +10,7 @@ messages! { "check":
     points_without_scale(scale);
     add_scale_of(scale, sheet);
     no_pole(sheet, pole);
+    no_origin(sheet, point);
     add_pole(pole);
     no_length_on_paper(name);
     write_in(unit);

@@ -4,7 +4,7 @@ use super::measured::{CheckError, Measured, PlacedPoint, PointsOf, Positive, WID
 use super::says;
 use super::written::{given, with_point};
 use crate::message::Message;
-use crate::sheet::{Order, Sheet};
+use crate::sheet::Sheet;
 use crate::text::{Untrusted, cell, quoted, shown};
 
 /// The lines of a table that are no values, beside those of scales.
@@ -44,14 +44,14 @@ impl Measured {
 
     /// Adds a line of a table.
     fn cells(&mut self, [name, value, third, fourth]: [&str; 4], place: &Message) -> Result<(), CheckError> {
-        if let Some((order, point)) = plan_point(name) {
+        if let Some((sheet, point)) = placed_point(name) {
             let at = [value, third].map(with_point);
             if at.iter().any(|c| !c.is_empty()) {
                 let [x, y] = at;
                 let band = (!fourth.is_empty()).then(|| radius(&with_point(fourth))).transpose()?;
                 let at = [coordinate(&x)?, coordinate(&y)?];
-                let plan = self.points.iter().position(|p| p.order == order).unwrap_or_else(|| {
-                    self.points.push(PointsOf::new(order));
+                let plan = self.points.iter().position(|p| p.sheet == sheet).unwrap_or_else(|| {
+                    self.points.push(PointsOf::new(sheet));
                     self.points.len() - 1
                 });
                 self.points[plan].put(point, at, band);
@@ -131,17 +131,17 @@ pub(super) fn written<'v>(measured: &Measured, values: impl Iterator<Item = [&'v
     for plan in &measured.points {
         let line = |(name, PlacedPoint { at, band }): (&String, &PlacedPoint)| {
             let numbers: String = at.iter().chain(band).map(|x| format!(",{x}")).collect();
-            quoted(&format!("{}:{name}", plan.order.sheet().as_str())) + &numbers
+            quoted(&format!("{}:{name}", plan.sheet.as_str())) + &numbers
         };
         lines.extend(plan.places.iter().map(line));
     }
     lines.join("\n") + "\n"
 }
 
-/// The plan and the point that the name of a place means, as `velocity:b`; `None` for other names.
-fn plan_point(name: &str) -> Option<(Order, &str)> {
-    let (plan, point) = name.split_once(':')?;
-    Some((Sheet::from_word(plan.trim())?.order()?, point.trim()))
+/// The sheet and the point that the name of a place means, as `velocity:b`; `None` for other names.
+fn placed_point(name: &str) -> Option<(Sheet, &str)> {
+    let (sheet, point) = name.split_once(':')?;
+    Some((Sheet::from_word(sheet.trim()).filter(|sheet| sheet.has_places())?, point.trim()))
 }
 
 /// What separates the cells of a table: what its first line with text has, a semicolon, a tab, or else a comma.

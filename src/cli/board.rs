@@ -14,9 +14,9 @@ use std::path::Path;
 
 /// Judges a drawing, with marks for what it gives where there is a scheme, and prints what is found.
 pub(super) fn judge(subject: &Subject<'_>, text: &Source, as_json: bool) -> Result<(), Failure> {
-    let drawing = HandDrawing::read(&text.text).map_err(|error| text.fail(error))?;
     let key = subject.key.key();
     let judge = Judge::new(key);
+    let drawing = judge.read(&text.text).map_err(|error| text.fail(error))?;
     let judged = judge.judge(&drawing).map_err(|error| {
         let place = format!("{}: did.{}: ", text.name, error.entry);
         Failure::Misuse(Problem::new(Message::list([place.into(), error.message], "")))
@@ -61,8 +61,8 @@ pub(super) fn drawn(path: &Path, key: &AnswerKey<'_>) -> Result<Option<Drawn>, S
     // What is no file, or no text, is refused where forms are read.
     let read = || path.is_file().then(|| files::read_form(path).ok()).flatten();
     let Some(text) = read().filter(|text| HandDrawing::is_one(&text.text)) else { return Ok(None) };
-    let drawing = HandDrawing::read(&text.text).map_err(|error| text.fail(error).line(""))?;
     let judge = Judge::new(key);
+    let drawing = judge.read(&text.text).map_err(|error| text.fail(error).line(""))?;
     let words = key.solution.wording();
     let judged = judge.judge(&drawing);
     let judged =

@@ -6,7 +6,8 @@ use super::message::{Failure, note, refuse};
 use super::output::FileSet;
 use super::pieces::caught;
 use crate::check::{
-    AnswerKey, Measured, PencilledPlan, PointVerdict, Proposal, aligned, common_scale, proposed, proposed_form,
+    AnswerKey, Measured, PaperPoints, PencilledPlan, PointVerdict, Proposal, aligned, common_scale, proposed,
+    proposed_form,
 };
 use crate::construction::Solution;
 use crate::drawing::markers::SheetCode;
@@ -54,8 +55,8 @@ impl Photo {
         Ok(Photo { path: path.to_owned(), strokes: sheet.strokes(&picture), picture, sheet })
     }
 
-    fn plans(&self) -> impl Iterator<Item = PencilledPlan<'_>> {
-        PencilledPlan::on(&self.sheet, &self.strokes)
+    fn plans<'a>(&'a self, solution: &'a Solution) -> impl Iterator<Item = PencilledPlan<'a>> {
+        PencilledPlan::on(solution, &self.sheet, &self.strokes)
     }
 
     /// The sheet, straightened out and evenly lit.
@@ -90,7 +91,7 @@ impl PhotoResult {
             );
         }
         let all: Vec<(&Photo, PencilledPlan<'_>)> =
-            photos.iter().flat_map(|photo| photo.plans().map(move |plan| (photo, plan))).collect();
+            photos.iter().flat_map(|photo| photo.plans(key.solution).map(move |plan| (photo, plan))).collect();
         if all.is_empty() {
             return refuse(
                 format!("{} shows no plan, only the sheet with the scheme", photos[0].path.display()),
@@ -98,14 +99,9 @@ impl PhotoResult {
             );
         }
         for (index, (photo, plan)) in all.iter().enumerate() {
-            if let Some((other, _)) = all[..index].iter().find(|(_, other)| other.order == plan.order) {
+            if let Some((other, _)) = all[..index].iter().find(|(_, other)| other.of() == plan.of()) {
                 return refuse(
-                    format!(
-                        "{} and {} both show the {}",
-                        other.path.display(),
-                        photo.path.display(),
-                        plan.order.sheet().name()
-                    ),
+                    format!("{} and {} both show the {}", other.path.display(), photo.path.display(), plan.of().name()),
                     "give one photograph of each sheet",
                 );
             }
@@ -114,12 +110,12 @@ impl PhotoResult {
         let proposals = proposed(key, &plans)?;
         let measured = proposed_form(&proposals, &plans, key);
         let sheet = |photo: &Photo| {
-            let seen: Vec<SeenPoint> = photo.plans().flat_map(|plan| seen(&plan, &proposals)).collect();
+            let seen: Vec<SeenPoint> = photo.plans(key.solution).flat_map(|plan| seen(&plan, &proposals)).collect();
             let code = &photo.sheet.code;
             (photo.path.clone(), code.clone(), photo.backdrop(), over_photo(key.solution, code, &seen))
         };
         let sheets = photos.iter().map(sheet).collect();
-        Ok(PhotoResult { warnings: warnings(&photos, &proposals), points: proposals, measured, sheets })
+        Ok(PhotoResult { warnings: warnings(&photos, &proposals, key.solution), points: proposals, measured, sheets })
     }
 
     /// Adds the pictures and the form to a set of files in a folder; `name` is that of the form.
@@ -172,7 +168,7 @@ impl PhotoResult {
         let head = language.photo_columns().map(str::to_owned);
         let mut rows = vec![head];
         for point in &self.points {
-            let pole = point.order.pole();
+            let origin = PaperPoints::of(solution, point.sheet).map_or("", |points| points.origin());
             let mm = |x: f64| words.write(x, NumberStyle::decimals(1));
             let distance = |[x, y]: [f64; 2]| libm::hypot(x, y);
             let found = point.found.map(|found| {
@@ -186,21 +182,22 @@ impl PhotoResult {
             });
             let blank = || [String::new(), String::new(), String::new(), language.photo_left().to_owned()];
             let [length, off, band, told] = found.unwrap_or_else(blank);
-            rows.push([format!("{pole} {}", point.name), mm(distance(point.right)), length, off, band, told]);
+            rows.push([format!("{origin} {}", point.name), mm(distance(point.right)), length, off, band, told]);
         }
         sheets.chain(aligned(&rows).into_iter().map(|line| line + "\n")).collect()
     }
 }
 
 /// What makes photographs of less use, and what to do.
-fn warnings(photos: &[Photo], points: &[Proposal]) -> Vec<(Message, Message)> {
+fn warnings(photos: &[Photo], points: &[Proposal], solution: &Solution) -> Vec<(Message, Message)> {
     let named =
         |photo: &Photo, message: Message| Message::list([format!("{}: ", photo.path.display()).into(), message], "");
     let crowded = photos.iter().filter(|photo| !photo.sheet.is_alone);
     let mut all: Vec<(Message, Message)> =
         crowded.map(|photo| (named(photo, says::second_sheet()), says::each_by_itself())).collect();
     for photo in photos {
-        let mut own = points.iter().filter(|point| photo.plans().any(|plan| plan.order == point.order)).peekable();
+        let mut own =
+            points.iter().filter(|point| photo.plans(solution).any(|plan| plan.of() == point.sheet)).peekable();
         if own.peek().is_some() && own.all(|point| point.found.is_none()) {
             let width = photo.sheet.edge_width();
             let message = match width > SOFT {
@@ -233,13 +230,13 @@ fn pictures(backdrop: &Backdrop, drawing: &Drawing) -> Result<Vec<(&'static str,
     ])
 }
 
-/// The points of a plan that were found, on the sheet.
+/// The points of a sheet that were found, on its paper.
 fn seen(plan: &PencilledPlan<'_>, points: &[Proposal]) -> Vec<SeenPoint> {
-    let own = points.iter().filter(|point| point.order == plan.order);
+    let own = points.iter().filter(|point| point.sheet == plan.of());
     own.filter_map(|point| {
         let found = point.found?;
         Some(SeenPoint {
-            panel: plan.order.sheet(),
+            panel: plan.of(),
             name: point.name.clone(),
             at: plan.on_sheet(found.at),
             band: found.band,

@@ -90,6 +90,7 @@ pub use polygon::{
 pub(crate) use polygon::{FoundForce, FoundNumbers};
 pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::{PlanVector, Teller};
+pub(crate) use solution::asked_construction;
 pub use solution::{Solution, construct};
 pub use step::{
     Action, Arrow, LegEquation, NOTHING, NumberedStep, Plan, PlanPoint, PointRole, Ray, RayOf, Relation, VectorOf,

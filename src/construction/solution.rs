@@ -44,11 +44,7 @@ impl Solution {
             ConstructionShown::Paper => Extent::Rates,
             ConstructionShown::Whole | ConstructionShown::Hidden => Extent::Points,
         };
-        let mut construction = construct(&mechanism, &pose, &motion, extent);
-        if scene.figure.shown_panels().contains(&Sheet::Centers) {
-            construction = with_centers(&scene.figure, (&mechanism, &pose, &motion), construction);
-        }
-        construction = with_forces(&scene.figure, (&mechanism, &pose, &motion), construction);
+        let construction = asked_construction(&scene.figure, (&mechanism, &pose, &motion), extent);
         // A work sheet is drawn on.
         let turned = scene.figure.turned.filter(|_| !scene.figure.worksheet);
         let turned = turned.map(|sense| Box::new(construction.turned(sense)));
@@ -121,6 +117,19 @@ pub fn construct(mechanism: &Mechanism, pose: &Pose, motion: &Motion, extent: Ex
         mechanism.body_ids().filter(|&body| mechanism.is_known(body)).for_each(|body| writer.further_images(body));
     }
     writer.construction
+}
+
+/// The construction with all that a figure asks for beside the plans.
+pub(crate) fn asked_construction(
+    figure: &Figure,
+    (mechanism, pose, motion): (&Mechanism, &Pose, &Motion),
+    extent: Extent,
+) -> Construction {
+    let mut construction = construct(mechanism, pose, motion, extent);
+    if figure.shown_panels().contains(&Sheet::Centers) {
+        construction = with_centers(figure, (mechanism, pose, motion), construction);
+    }
+    with_forces(figure, (mechanism, pose, motion), construction)
 }
 
 /// A construction with the instant centres and the velocities by centres that a figure asks for.

@@ -1,6 +1,7 @@
 //! The sheets of a drawing board: a sheet with what a hand has drawn on it, on a part of a screen or on paper.
 
 use super::canvas::Canvas;
+use super::centers;
 use super::clip::clipped_segment;
 use super::compose::titled;
 use super::context::{Purpose, SheetContext};
@@ -97,10 +98,10 @@ const AROUND: [f64; 2] = [0.3, 25.0];
 /// Half the width of the cross by which something wrong is struck, in radii of a point.
 const STRUCK: f64 = 3.5;
 
-/// Longest side of a paper, in mm: a hundred metres.
-const LONGEST: f64 = 1e5;
-
 impl HandPaper {
+    /// Longest side of a paper, in mm: a hundred metres.
+    pub const LONGEST: f64 = 1e5;
+
     /// The sheet of a scheme or a plan at a scale, with room for what may come out wrong, and for other places, in units of the sheet from its
     /// origin; `None` for a plan that is not there, and at a scale at which no paper is large enough.
     #[must_use]
@@ -112,6 +113,7 @@ impl HandPaper {
     ) -> Option<HandPaper> {
         let context = SheetContext::new(solution, Purpose::Exercise);
         let extent = match sheet.order() {
+            None if sheet == Sheet::Centers => centers::extent(&context),
             None => scheme::on_paper::extent(&context),
             Some(order) => super::plan::on_paper::extent(context.construction().plan(order)?, ConstructionShown::Whole),
         };
@@ -124,7 +126,11 @@ impl HandPaper {
             [rounded((origin.x - extent.low.x) / mu + white), rounded((extent.high.y - origin.y) / mu + white)];
         let size = extent.size() / mu;
         let [width, height] = [size.x, size.y].map(|side| rounded(side + 2.0 * white));
-        (width.max(height) <= LONGEST).then_some(HandPaper { mu, size: [width, height], origin: [left, above] })
+        (width.max(height) <= HandPaper::LONGEST).then_some(HandPaper {
+            mu,
+            size: [width, height],
+            origin: [left, above],
+        })
     }
 
     /// A place of the sheet, in millimetres from the upper left corner, y down.
@@ -163,7 +169,7 @@ pub fn hand_sheet(solution: &Solution, hand: &HandSheet, paper: &HandPaper, lett
     drawing.enlarged(1.0 / unit).after_step(0)
 }
 
-/// The plans of a drawing board on sheets of paper like those of an exercise, with markers by which a photograph of them is read;
+/// The plans and the figure of instant centres of a drawing board on sheets of paper like those of an exercise, with markers by which a photograph of them is read;
 /// `note` stands below them.
 #[must_use]
 pub fn hand_sheets(
@@ -174,7 +180,7 @@ pub fn hand_sheets(
     note: Option<&str>,
 ) -> Vec<Drawing> {
     let solution = &bare(solution);
-    let plans = hand.iter().filter(|hand| hand.sheet.order().is_some());
+    let plans = hand.iter().filter(|hand| hand.sheet.has_places());
     (2..)
         .zip(plans)
         .map(|(number, hand)| {
@@ -202,6 +208,7 @@ fn origin(context: &SheetContext<'_>, sheet: Sheet) -> Place {
 fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>, hand: &HandSheet) {
     match hand.sheet.order() {
         Some(order) => pole(canvas, view, context, order),
+        None if hand.sheet == Sheet::Centers => scheme::draw_bare(canvas, view, context, |_| true),
         None => scheme::draw(canvas, view, context),
     }
     draw_own(canvas, view, context, hand);
@@ -225,7 +232,7 @@ fn draw_own(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>, ha
         let Some((a, b)) = clipped_segment(canvas.room(), middle - along * reach, middle + along * reach) else {
             continue;
         };
-        let pen = line.look.pen(if hand.sheet == Sheet::Scheme { Pen::Construction } else { Pen::Ray });
+        let pen = line.look.pen(if hand.sheet.order().is_none() { Pen::Construction } else { Pen::Ray });
         canvas.draw_named(&format!("line-{}", line.name), pen, Shape::Line(a, b)).emphasis = line.look.emphasis();
         line.look.strike(canvas, a.midpoint(b), context);
         // The name stands at the end that is higher on the sheet, where fewer lines meet.
@@ -248,7 +255,6 @@ fn draw_own(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>, ha
         let arrow = canvas.arrow(from, to);
         canvas.draw_named(&format!("vector-{index}"), vector.look.pen(pen), arrow).emphasis = vector.look.emphasis();
     }
-    let plan = context.plan(hand.sheet);
     for point in &hand.points {
         let (center, radius) = (at(point.at), context.surface.dims.dot);
         let pen = match point.look {
@@ -258,7 +264,7 @@ fn draw_own(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>, ha
         let mark = canvas.draw_named(&format!("point-{}", point.name), pen, Shape::Circle { center, radius });
         mark.emphasis = point.look.emphasis();
         point.look.strike(canvas, center, context);
-        let name = RichText::math(&context.shown(&point.name, plan));
+        let name = RichText::math(&context.place_name(hand.sheet, &point.name));
         let asked = canvas.ask(&format!("{}-", point.name), LabelRequest::new(name, center, radius + 0.7, None, 2));
         asked.pen = point.look.label(asked.pen);
     }

@@ -8,6 +8,7 @@ use super::canvas::Canvas;
 use super::clip::{clipped_segment, holds};
 use super::context::SheetContext;
 use super::labels::LabelRequest;
+use super::panel::Layer;
 use super::scheme;
 use super::shape::Shape;
 use super::sheet::Pen;
@@ -70,7 +71,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     scheme::draw_bare(canvas, view, context, named);
     let panel = CentersOnPaper { view, context, centers, steps: CenterSteps::of(context, centers) };
     panel.lines(canvas);
-    panel.marks(canvas);
+    panel.marks(canvas, |_| true);
     panel.far(canvas);
     panel.guides(canvas);
     panel.curvatures(canvas);
@@ -78,6 +79,19 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     panel.velocities(canvas);
     diagram::draw(&panel, canvas);
     canvas.step = 0;
+}
+
+/// The layer with the lines and the centres that they lead to, on paper that has the mechanism already.
+pub(super) fn lines_alone<'a>(context: &'a SheetContext<'a>) -> Layer<'a> {
+    Box::new(move |canvas: &mut Canvas<'_>, view: &View| {
+        let Some(centers) = context.construction().centers.as_deref() else { return };
+        let panel = CentersOnPaper { view, context, centers, steps: CenterSteps::of(context, centers) };
+        panel.lines(canvas);
+        panel.marks(canvas, |center| !center.is_permanent());
+        panel.far(canvas);
+        panel.velocities(canvas);
+        canvas.step = 0;
+    })
 }
 
 /// Draws the hints of the steps: the distances from which an angular velocity follows.
@@ -223,9 +237,9 @@ impl CentersOnPaper<'_> {
     }
 
     /// The marks and names of the centres on the panel; those in one place share a label.
-    fn marks(&self, canvas: &mut Canvas<'_>) {
+    fn marks(&self, canvas: &mut Canvas<'_>, is_marked: fn(&Center) -> bool) {
         let mut all: Vec<(Point, (String, String, u16))> = Vec::new();
-        for (index, center) in self.centers.all.iter().enumerate() {
+        for (index, center) in self.centers.all.iter().enumerate().filter(|(_, center)| is_marked(center)) {
             let Some(at) = self.shown(canvas, center.place) else { continue };
             canvas.step = self.steps.centers[index];
             mark(canvas, &center.name, at, center.is_permanent());

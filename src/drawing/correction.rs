@@ -1,6 +1,7 @@
 //! The sheets of a corrected drawing: the student's drawing over the right figure, sentences about it, and the table of
 //! values; or the right plans over a photographed sheet, straightened out.
 
+use super::centers;
 use super::compose::{Composition, blank, further_sheets};
 use super::context::{Purpose, SheetContext};
 use super::dims::Dims;
@@ -147,12 +148,12 @@ const AROUND: f64 = 12.0;
 /// Half the width of the cross of a point that was found, in mm.
 const CROSS: f64 = 1.2;
 
-/// A point of a plan that is seen on a photographed sheet.
+/// A point of a plan or of a figure of instant centres that is seen on a photographed sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeenPoint {
-    /// On which plan.
+    /// On which sheet of the construction.
     pub panel: Sheet,
-    /// Its name, as in `b`.
+    /// Its name, as in `b` or `P(1,3)`.
     pub name: String,
     /// Its place on the sheet, in mm, y down.
     pub at: [f64; 2],
@@ -162,7 +163,7 @@ pub struct SeenPoint {
     pub is_off: bool,
 }
 
-/// The right plans of a sheet at their places on it, in the accent colour of the style `paper`, and the points that were found, with circles that hold them.
+/// The right plans and lines of centres of a sheet at their places on it, in the accent colour of the style `paper`, and the points that were found, with circles that hold them.
 ///
 /// In millimetres of the sheet, without ground: it is laid over the picture of the sheet.
 #[must_use]
@@ -181,9 +182,10 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
     let title = solution.scene.title.clone().unwrap_or_default();
     let mut drawing = blank(context.figure(), context.surface.dims.page, title);
     for placed in &code.panels {
-        let Some(plan) = context.plan(placed.panel) else { continue };
-        let extent = plan::on_paper::extent(plan, context.figure().construction);
-        let all = panels(&context, &[(placed.panel, extent)], |panel| vec![content(&context, panel)]);
+        let Some(extent) = extent_over_photo(&context, placed.panel) else { continue };
+        let layer =
+            |panel| if panel == Sheet::Centers { centers::lines_alone(&context) } else { content(&context, panel) };
+        let all = panels(&context, &[(placed.panel, extent)], |panel| vec![layer(panel)]);
         for panel in all {
             // The photographed sheet has the frame.
             let panel = Panel { frame: None, content: None, ..panel };
@@ -204,9 +206,17 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
     drawing
 }
 
-/// The area of a plan's extent on the sheet, in mm.
-fn area(extent: &Extent, pole: [f64; 2], mu: f64) -> Rect {
-    let at = |x: f64, y: f64| Point::new(pole[0] + x / mu, pole[1] - y / mu);
+/// The extent of what is drawn over a photographed panel; none of a scheme, on which nothing is sought.
+fn extent_over_photo(context: &SheetContext<'_>, sheet: Sheet) -> Option<Extent> {
+    match sheet {
+        Sheet::Centers => context.construction().centers.as_ref().map(|_| centers::extent(context)),
+        _ => Some(plan::on_paper::extent(context.plan(sheet)?, context.figure().construction)),
+    }
+}
+
+/// The area of a panel's extent on the sheet, in mm.
+fn area(extent: &Extent, origin: [f64; 2], mu: f64) -> Rect {
+    let at = |x: f64, y: f64| Point::new(origin[0] + x / mu, origin[1] - y / mu);
     Rect::from_points(at(extent.low.x, extent.low.y), at(extent.high.x, extent.high.y))
 }
 
@@ -218,7 +228,7 @@ fn draw_seen(drawing: &mut Drawing, context: &SheetContext<'_>, point: &SeenPoin
     }
     drawing.draw(Pen::StudentPoint, Shape::Circle { center, radius: point.band.max(CROSS) });
     if point.is_off {
-        let name = context.told(&point.name, context.plan(point.panel));
+        let name = context.place_name(point.panel, &point.name);
         let name = RichText::math(&format!("{name}^*"));
         let from = center + Vec2::new(1.5 * CROSS, -1.2 * CROSS);
         drawing.draw(Pen::StudentPoint, Shape::Text(PlacedText::new(name, CAPTION * context.surface.dims.unit, from)));

@@ -42,14 +42,24 @@ impl<'a> SheetLabels<'a> {
         self.0.notes(asked).iter().map(|note| RichText::plain(note)).collect()
     }
 
-    /// A point of a plan.
+    /// A point of a sheet: an image by its name in the figure's notation, an instant centre by its symbol, a joint by its label.
     #[must_use]
-    pub fn plan_point(&self, plan: &Plan, name: &str) -> RichText {
-        RichText::math(&self.0.shown(name, Some(plan)))
+    pub fn place(&self, sheet: Sheet, name: &str) -> RichText {
+        RichText::math(&self.0.place_name(sheet, name))
     }
 }
 
 impl SheetContext<'_> {
+    /// The markup of a point of a sheet: an image by its name in the figure's notation, an instant centre by its symbol, a joint by its label.
+    pub(super) fn place_name(&self, sheet: Sheet, name: &str) -> String {
+        let centers = self.construction().centers.as_ref().filter(|_| sheet == Sheet::Centers);
+        let center = centers.and_then(|centers| centers.all.iter().find(|center| center.name == name));
+        match center {
+            Some(center) => self.center_symbol(center.pair, center.figure),
+            None => self.shown(name, self.plan(sheet)),
+        }
+    }
+
     /// How a quantity is written on the sheets, in markup: a segment or length by its ends, a rate by its symbol.
     pub(super) fn quantity(&self, asked: &QuantityRequest) -> String {
         let plan = match &asked.what {

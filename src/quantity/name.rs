@@ -97,6 +97,8 @@ pub struct QuantityRequest {
     pub written: QuantityName,
     /// The quantity that it asks for.
     pub what: What,
+    /// Whether accelerations have to be known for it: each of many positions asks.
+    pub(super) needs_accelerations: bool,
 }
 
 /// The quantity that a name asks for.
@@ -198,7 +200,8 @@ impl QuantityRequest {
         let what = finder.what(&written)?;
         // White space is a space: tables and results have the name on one line.
         let name: String = name.chars().map(|c| if c.is_whitespace() { ' ' } else { c }).collect();
-        let asked = QuantityRequest { name, written, what };
+        let needs_accelerations = written.needs_accelerations();
+        let asked = QuantityRequest { name, written, what, needs_accelerations };
         let has_component = match asked.written.component {
             None => true,
             // A place has no size, and a direction only at infinity, where a centre may lie.

@@ -63,7 +63,7 @@ impl QuantityRequest {
         scales: Option<&Scales>,
     ) -> Result<Quantity, QuantityError> {
         use Quantity::{Number, Vector};
-        if self.written.needs_accelerations() && !state.has_accelerations() {
+        if self.needs_accelerations && !state.has_accelerations() {
             return Err(self.none(says::no_accelerations()));
         }
         let reader = Reader { asked: self, state, construction };

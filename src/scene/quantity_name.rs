@@ -127,7 +127,7 @@ impl Component {
 
 impl Head {
     /// The heads that are not the distance of two points: the word for each, what its arguments are, and the kind of its value.
-    const KNOWN: [(Head, &'static str, Argument, QuantityKind); 33] = [
+    const KNOWN: &'static [(Head, &'static str, Argument, QuantityKind)] = &[
         (Head::Omega, "omega", Argument::Link, QuantityKind::AngularVelocity),
         (Head::Alpha, "alpha", Argument::Link, QuantityKind::AngularAcceleration),
         (Head::Angle, "angle", Argument::Link, QuantityKind::Angle),
@@ -167,13 +167,13 @@ impl Head {
     fn of(word: &str, has_arguments: bool) -> Option<Head> {
         let between = || Sheet::ALL.into_iter().find(|sheet| sheet.facts().segment == word).map(Head::Between);
         let is_it = |own: &str, argument| own == word && (argument != Argument::Nothing) == has_arguments;
-        let known = Head::KNOWN.into_iter().find(|(_, own, argument, _)| is_it(own, *argument));
-        known.map(|(head, ..)| head).or_else(|| between().filter(|_| has_arguments))
+        let known = Head::KNOWN.iter().find(|(_, own, argument, _)| is_it(own, *argument));
+        known.map(|(head, ..)| *head).or_else(|| between().filter(|_| has_arguments))
     }
 
     /// The word for it, what its arguments are, and the kind of its value.
     fn facts(self) -> (&'static str, Argument, QuantityKind) {
-        let known = || Head::KNOWN.into_iter().find(|(head, ..)| *head == self).expect("every other head is listed");
+        let known = || Head::KNOWN.iter().find(|(head, ..)| *head == self).expect("every other head is listed");
         match self {
             Head::Between(sheet) => (sheet.facts().segment, Argument::Point, sheet.facts().drawn),
             _ => (known().1, known().2, known().3),

@@ -1272,6 +1272,7 @@ check-write_values = schreiben Sie Ihre Werte neben die Namen; `kinegon check SC
 check-points_without_scale = die Orte der Punkte sind in Millimetern Papier, aber Ihr Maßstab {$scale} fehlt
 check-add_scale_of = ergänzen Sie {$scale}, den Maßstab von Ihrem {$sheet}
 check-no_pole = bei den Orten im {$sheet} fehlt sein Pol {$pole}
+check-no_origin = {$sheet}: es fehlt der Ort von {$point}, von dem aus die anderen gemessen sind
 check-add_pole = ergänzen Sie "{$pole}": [x, y]
 check-no_length_on_paper = `{$name}` ist keine Länge auf dem Papier, daher kann `/mu` nicht folgen
 check-write_in = schreiben Sie es in {$unit}
@@ -1411,6 +1412,8 @@ photo-measure_ruler = legen Sie ein Lineal an das auf dem Blatt gedruckte: wenn 
 ## Errors and warnings: board
 
 board-too_many = eine Zeichnung hat höchstens {$most} Einträge, und hier sind es {$count}
+board-sheet_too_large = mit {$mu} je mm wäre der {$sheet} {$metres} m groß; gezeichnet werden Blätter bis {$most} m
+board-other_scale = geben Sie den Maßstab Ihres Blattes an, etwa {$mu}, oder lassen Sie {$key} weg
 board-no_formula = `{$text}` ist keine Formel: ab Zeichen {$place} ist sie nicht zu verstehen
 board-no_equation = `{$text}` ist keine Gleichung: es fehlt das =
 board-not_linear = `{$text}` ist nicht linear in den gesuchten Zahlen
@@ -2109,7 +2112,7 @@ page-check-typing = …
 page-check-not_understood = nicht verstanden
 page-check-step = Schritt {$step}
 page-check-by_points = Planpunkte markieren
-page-check-points_intro = Klicken Sie an, wo die Punkte Ihres Planes liegen, den Pol zuerst; oder tippen Sie ihre Orte in mm ein, x nach rechts, y nach oben. Das Papier darf beliebig liegen.
+page-check-points_intro = Klicken Sie an, wo die Punkte Ihres Planes liegen, zuerst den Pol, bei Momentanpolen das erste Gelenk der Liste; oder tippen Sie ihre Orte in mm ein, x nach rechts, y nach oben. Das Papier darf beliebig liegen.
 page-check-plan = Plan
 page-check-points_sheet = Planblatt, Quadrate von 5 mm. Pfeiltasten verschieben das Kreuz um 1 mm, mit Umschalt um 0,1 mm; die Eingabetaste setzt den gewählten Punkt.
 page-check-point = Punkt
@@ -2206,7 +2209,7 @@ page-photo-state_open = mit diesem Bild nicht zu entscheiden
 page-photo-state_proposed = vorgeschlagen
 page-photo-aim = Ort von {$name}. Pfeiltasten verschieben ihn um 0,1 mm, mit Umschalt um 1 mm; die Eingabetaste markiert ihn.
 page-photo-picture = Das Foto
-page-photo-moved = {$name} bei {$x} mm, {$y} mm vom Pol
+page-photo-moved = {$name} bei {$x} mm, {$y} mm von {$origin}
 page-photo-bent = Das Blatt ist um {$mm} mm gewölbt: Drücken Sie es flach, dann werden die Orte sicherer.
 page-photo-no_decode = Dieser Browser kann „{$name}“ nicht als Bild öffnen.
 page-photo-no_decode_hint = Nehmen Sie ein Bild in JPEG oder PNG. Speichert das Telefon HEIC: Nehmen Sie das Foto von dieser Seite aus auf, oder wählen Sie unter Kamera, Formate „Maximale Kompatibilität“.

@@ -1305,6 +1305,7 @@ check-write_values = write your values beside the names; `kinegon check SCENE --
 check-points_without_scale = places of points are in millimetres of paper, but your scale {$scale} is missing
 check-add_scale_of = add {$scale}, the scale of your {$sheet}
 check-no_pole = the places of the {$sheet} do not have its pole {$pole}
+check-no_origin = {$sheet}: the place of {$point} is missing, from which the others are measured
 check-add_pole = add "{$pole}": [x, y]
 check-no_length_on_paper = `{$name}` is no length on paper, so `/mu` cannot follow it
 check-write_in = write it in {$unit}
@@ -1444,6 +1445,8 @@ photo-measure_ruler = lay a ruler on the one that is printed on the sheet: is it
 ## Errors and warnings: board
 
 board-too_many = a drawing has at most {$most} entries, and here are {$count}
+board-sheet_too_large = at {$mu} per mm the {$sheet} would be {$metres} m large; sheets of up to {$most} m are drawn
+board-other_scale = write the scale of your sheet, as {$mu}, or leave {$key} out
 board-no_formula = `{$text}` is no formula: it is not understood from letter {$place} on
 board-no_equation = `{$text}` is no equation: it has no =
 board-not_linear = `{$text}` is not linear in the numbers that are sought
@@ -2142,7 +2145,7 @@ page-check-typing = …
 page-check-not_understood = not understood
 page-check-step = Step {$step}
 page-check-by_points = Mark points of a plan
-page-check-points_intro = Click where the points of your plan lie, the pole first; or type their places in mm, x to the right, y up. The paper may lie as it likes.
+page-check-points_intro = Click where the points of your plan lie, the pole first, of instant centres the first joint of the list; or type their places in mm, x to the right, y up. The paper may lie as it likes.
 page-check-plan = Plan
 page-check-points_sheet = Plan sheet, squares of 5 mm. Arrows move the cross by 1 mm, with Shift by 0.1 mm; Enter places the point that is chosen.
 page-check-point = Point
@@ -2239,7 +2242,7 @@ page-photo-state_open = cannot be told from this picture
 page-photo-state_proposed = proposed
 page-photo-aim = Place of {$name}. Arrow keys move it by 0.1 mm, with Shift by 1 mm; Enter marks it.
 page-photo-picture = The photograph
-page-photo-moved = {$name} at {$x} mm, {$y} mm from the pole
+page-photo-moved = {$name} at {$x} mm, {$y} mm from {$origin}
 page-photo-bent = The sheet is bent by {$mm} mm: press it flat for surer places.
 page-photo-no_decode = This browser cannot open “{$name}” as a picture.
 page-photo-no_decode_hint = Use a JPEG or PNG picture. A telephone that saves HEIC: take the picture from this page, or choose “Most Compatible” under Camera, Formats.

@@ -1270,6 +1270,7 @@ check-write_values = escriba sus valores junto a los nombres; `kinegon check SCE
 check-points_without_scale = los lugares de los puntos están en milímetros de papel, pero falta su escala {$scale}
 check-add_scale_of = añada {$scale}, la escala de su {$sheet}
 check-no_pole = los lugares del {$sheet} no tienen su polo {$pole}
+check-no_origin = {$sheet}: falta el lugar de {$point}, desde el que se miden los demás
 check-add_pole = añada "{$pole}": [x, y]
 check-no_length_on_paper = `{$name}` no es una longitud en el papel, así que no puede llevar `/mu`
 check-write_in = escríbalo en {$unit}
@@ -1409,6 +1410,8 @@ photo-measure_ruler = ponga una regla sobre la que está impresa en la hoja: si 
 ## Errors and warnings: board
 
 board-too_many = un dibujo tiene como máximo {$most} entradas, y aquí hay {$count}
+board-sheet_too_large = con {$mu} por mm el {$sheet} mediría {$metres} m; se dibujan hojas de hasta {$most} m
+board-other_scale = escriba la escala de su hoja, como {$mu}, u omita {$key}
 board-no_formula = `{$text}` no es una fórmula: no se entiende a partir de la letra {$place}
 board-no_equation = `{$text}` no es una ecuación: falta el =
 board-not_linear = `{$text}` no es lineal en los números buscados
@@ -2107,7 +2110,7 @@ page-check-typing = …
 page-check-not_understood = no se entiende
 page-check-step = Paso {$step}
 page-check-by_points = Marcar puntos de un plano
-page-check-points_intro = Pulsa donde están los puntos de tu plano, primero el polo; o escribe sus lugares en mm, x hacia la derecha, y hacia arriba. El papel puede estar girado.
+page-check-points_intro = Pulsa donde están los puntos de tu plano, primero el polo, o en centros instantáneos la primera articulación de la lista; o escribe sus lugares en mm, x hacia la derecha, y hacia arriba. El papel puede estar girado.
 page-check-plan = Plano
 page-check-points_sheet = Lámina del plano, cuadros de 5 mm. Las flechas mueven la cruz 1 mm, con Mayús 0,1 mm; Intro pone el punto elegido.
 page-check-point = Punto
@@ -2204,7 +2207,7 @@ page-photo-state_open = no se puede saber con esta imagen
 page-photo-state_proposed = propuesto
 page-photo-aim = Lugar de {$name}. Las flechas lo mueven 0,1 mm, con Mayús 1 mm; Intro lo marca.
 page-photo-picture = La fotografía
-page-photo-moved = {$name} a {$x} mm, {$y} mm del polo
+page-photo-moved = {$name} a {$x} mm, {$y} mm de {$origin}
 page-photo-bent = La hoja está curvada {$mm} mm: apriétala para que los lugares sean más seguros.
 page-photo-no_decode = Este navegador no puede abrir «{$name}» como imagen.
 page-photo-no_decode_hint = Usa una imagen JPEG o PNG. Si el teléfono guarda HEIC: haz la foto desde esta página, o elige «Más compatible» en Cámara, Formatos.

@@ -1272,6 +1272,7 @@ check-write_values = escreva seus valores ao lado dos nomes; `kinegon check SCEN
 check-points_without_scale = os lugares dos pontos estão em milímetros de papel, mas falta sua escala {$scale}
 check-add_scale_of = acrescente {$scale}, a escala do seu {$sheet}
 check-no_pole = os lugares do {$sheet} não têm seu polo {$pole}
+check-no_origin = {$sheet}: falta o lugar de {$point}, a partir do qual os outros são medidos
 check-add_pole = acrescente "{$pole}": [x, y]
 check-no_length_on_paper = `{$name}` não é um comprimento no papel, portanto não pode levar `/mu`
 check-write_in = escreva-o em {$unit}
@@ -1411,6 +1412,8 @@ photo-measure_ruler = ponha uma régua sobre a que está impressa na folha: se o
 ## Errors and warnings: board
 
 board-too_many = um desenho tem no máximo {$most} entradas, e aqui há {$count}
+board-sheet_too_large = com {$mu} por mm o {$sheet} teria {$metres} m; desenham-se folhas de até {$most} m
+board-other_scale = escreva a escala da sua folha, como {$mu}, ou omita {$key}
 board-no_formula = `{$text}` não é uma fórmula: não se entende a partir da letra {$place}
 board-no_equation = `{$text}` não é uma equação: falta o =
 board-not_linear = `{$text}` não é linear nos números procurados
@@ -2109,7 +2112,7 @@ page-check-typing = …
 page-check-not_understood = não entendido
 page-check-step = Passo {$step}
 page-check-by_points = Marcar pontos do polígono
-page-check-points_intro = Clique onde estão os pontos do seu polígono, primeiro o polo; ou escreva seus lugares em mm, x para a direita, y para cima. O papel pode estar girado.
+page-check-points_intro = Clique onde estão os pontos do seu polígono, primeiro o polo, ou nos centros instantâneos a primeira articulação da lista; ou escreva seus lugares em mm, x para a direita, y para cima. O papel pode estar girado.
 page-check-plan = Polígono
 page-check-points_sheet = Folha do polígono, quadrados de 5 mm. As setas movem a cruz 1 mm, com Shift 0,1 mm; Enter põe o ponto escolhido.
 page-check-point = Ponto
@@ -2206,7 +2209,7 @@ page-photo-state_open = não se pode saber com esta foto
 page-photo-state_proposed = proposto
 page-photo-aim = Lugar de {$name}. As setas o movem 0,1 mm, com Shift 1 mm; Enter o marca.
 page-photo-picture = A fotografia
-page-photo-moved = {$name} a {$x} mm, {$y} mm do polo
+page-photo-moved = {$name} a {$x} mm, {$y} mm de {$origin}
 page-photo-bent = A folha está curvada {$mm} mm: aperte-a para ter lugares mais seguros.
 page-photo-no_decode = Este navegador não consegue abrir “{$name}” como imagem.
 page-photo-no_decode_hint = Use uma imagem JPEG ou PNG. Se o telefone salva em HEIC: tire a foto a partir desta página, ou escolha “Mais Compatível” em Câmera, Formatos.

@@ -229,3 +229,34 @@ fn a_press_at_a_joint_offers_all_directions_there() {
     assert!(directions.iter().any(|angle| (angle - 60.0).abs() < 1e-9), "{directions:?}");
     assert!((directions[0] - directions[1]).abs() > 1.0);
 }
+
+#[test]
+fn the_figure_of_centres_takes_the_place_of_plans_that_nobody_asks_for() {
+    let mut scene: Value = serde_json::from_str(&read("templates/slider-crank.json")).expect("a scene");
+    scene["figure"] = json!({ "panels": ["scheme", "centers"], "centers": "all" });
+    let screen = screen(&scene.to_string());
+    let did = json!([
+        { "join": "r1", "on": "centers", "points": ["A", "B"] },
+        { "line": "r2", "on": "centers", "through": "C", "along": { "normal": "3/ground" } },
+        { "cross": "P(2,0)", "of": ["r1", "r2"] },
+    ]);
+    let board = shown(&screen, "all", &did);
+    assert_eq!(board.sheets.iter().map(|sheet| sheet.sheet).collect::<Vec<_>>(), [Sheet::Scheme, Sheet::Centers]);
+    let missing = board.names.iter().filter(|name| name.sheet == Some(Sheet::Centers) && !name.is_made);
+    assert_eq!(missing.map(|name| name.name.as_str()).collect::<Vec<_>>(), ["P(1,3)"]);
+    assert_eq!(board.did[2].words, "P_20 where r1 and r2 cross");
+    assert!(board.numbers.iter().any(|number| number.name == "L(P(1,ground),P(2,ground))"));
+    // A guide is pressed on the figure of centres itself.
+    let has = json!({ "line": "", "along": { "normal": "" } });
+    let pressed =
+        |sheet: Sheet, at: [f64; 2]| Pressed { has: has.as_object().expect("an entry").clone(), sheet, at, reach: 3.0 };
+    let on_centers = board.things.iter().find(|thing| thing.sheet == Sheet::Centers && thing.name == "C").expect("C");
+    let at = [on_centers.at[0] + 4.0, on_centers.at[1]];
+    let snapped = screen.snapped(&drawing("all", &json!([])), &pressed(Sheet::Centers, at));
+    assert!(snapped.iter().any(|snap| snap.entry["along"] == json!({ "normal": "3/ground" })), "{snapped:?}");
+    // What is drawn by another route needs no further hint for the lines of Kinegon's own.
+    let hint = screen.hint(&drawing("all", &did), None, 1);
+    assert_eq!(hint.sheet, Some(Sheet::Centers));
+    let picture = screen.picture(&drawing("all", &did), Sheet::Centers, None, 3.5, None).expect("a picture");
+    assert!(picture.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.contains("point-Pu282-groundu29"))));
+}

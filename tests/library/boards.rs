@@ -1,7 +1,7 @@
 //! Drawings made on the board, judged operation by operation: Kinegon's own construction of every scene is right, so are equivalent ways, the first wrong
 //! operation is the one that was put in, every prefix replays, and no file ends in a panic.
 
-use kinegon::board::{Formula, Given, HandDrawing, Judge, JudgedDrawing, MOST_ENTRIES, Verdict, own_drawing};
+use kinegon::board::{Formula, Given, HandDrawing, Judge, JudgedDrawing, MOST_ENTRIES, Screen, Verdict, own_drawing};
 use kinegon::check::AnswerKey;
 use kinegon::construction::Tolerance;
 use serde_json::{Value, json};
@@ -335,4 +335,123 @@ fn the_longest_drawing_is_judged() {
     let text = json!({ "kinegon_drawing": 1, "did": did }).to_string();
     let error = HandDrawing::read(&text).expect_err("it is too long");
     assert!(error.to_string().contains("at most 2000 entries"), "{error}");
+}
+
+/// The starting scene of a kind with the figure of instant centres alone.
+fn with_centers(kind: &str) -> String {
+    let mut scene: Value = serde_json::from_str(&read(&format!("templates/{kind}.json"))).expect("a scene");
+    scene["figure"] = json!({ "panels": ["scheme", "centers"], "centers": "all", "velocities": ["C"], "mu_c": 1 });
+    scene.to_string()
+}
+
+/// The centres of the four-bar linkage, ω₃ and v_C by them: in another order than Kinegon's, with names as hands write them.
+fn centers_of_four_bar() -> Vec<Value> {
+    vec![
+        json!({ "join": "r1", "points": ["P(1,2)", "P(2,3)"] }),
+        json!({ "join": "r2", "on": "centers", "points": ["A", "P(3,0)"] }),
+        json!({ "cross": "P(3,1)", "of": ["r2", "r1"] }),
+        json!({ "join": "r3", "on": "centers", "points": ["D", "C"] }),
+        json!({ "join": "r4", "points": ["P(1,ground)", "P(2,1)"] }),
+        json!({ "cross": "P(2,0)", "of": ["r3", "r4"] }),
+        json!({ "measure": "L(P(1,ground),P(1,3))", "from": "A", "to": "P(1,3)", "on": "centers" }),
+        json!({ "compute": "omega(3)", "as": "omega(1) * L(P(1,0),P(1,3)) / L(P(3,0),P(3,1))" }),
+        json!({ "compute": "v(C)", "as": "omega(3) * L(P(3,ground),C)" }),
+    ]
+}
+
+#[test]
+fn own_constructions_of_centres_are_right_and_complete() {
+    for kind in ["four-bar", "slider-crank", "slotted-lever"] {
+        let text = with_centers(kind);
+        let solution = solved(&text).expect("a good scene");
+        let judge = judge(&text);
+        let own = HandDrawing::read(&own_drawing(&Given::new(&solution), &solution.scales())).expect("a drawing");
+        let found = judge.judge(&own).unwrap_or_else(|error| panic!("{kind}: {error}"));
+        let wrong = found.first_wrong().map(|index| &own.did[index]);
+        assert!(wrong.is_none(), "{kind}: {wrong:?}: {:?}", found.verdicts);
+        let screen = Screen::new(judge, solution.wording());
+        assert!(screen.is_complete(&own), "{kind}");
+        assert!(!screen.is_complete(&drawing(&json!([]))), "{kind}");
+    }
+}
+
+#[test]
+fn centres_by_a_route_of_ones_own_are_right_and_the_first_wrong_operation_is_named() {
+    let text = with_centers("four-bar");
+    let judge = judge(&text);
+    let did = centers_of_four_bar();
+    let right = judged(&judge, &Value::Array(did.clone()));
+    assert!(right.first_wrong().is_none(), "{:?}", right.verdicts);
+    let screen = Screen::new(self::judge(&text), solved(&text).expect("a good scene").wording());
+    assert!(screen.is_complete(&drawing(&Value::Array(did.clone()))));
+    for (index, entry, mistake) in [
+        (0, json!({ "join": "r1", "points": ["P(1,2)", "P(3,ground)"] }), "lines-without-common-link"),
+        (4, json!({ "join": "r4", "points": ["P(1,ground)", "P(2,3)"] }), "lines-without-common-link"),
+        (5, json!({ "cross": "P(2,0)", "of": ["r3", "r2"] }), "lines-without-common-link"),
+        (
+            6,
+            json!({ "measure": "L(P(1,ground),P(1,3))", "from": "B", "to": "P(1,3)", "on": "centers" }),
+            "distance-from-wrong-centre",
+        ),
+        (7, json!({ "compute": "omega(3)", "as": "omega(1) * L(P(3,0),P(1,3)) / L(P(1,0),P(1,3))" }), "ratio-inverted"),
+        (
+            7,
+            json!({ "compute": "omega(3)", "as": "-omega(1) * L(P(1,0),P(1,3)) / L(P(3,0),P(1,3))" }),
+            "sense-by-centre",
+        ),
+        (8, json!({ "compute": "v(C)", "as": "omega(3) * L(P(1,3),C)" }), "distance-from-wrong-centre"),
+    ] {
+        let mut wrong = did.clone();
+        wrong[index] = entry.clone();
+        // As far as the centre or the numbers that it leads to.
+        wrong.truncate(3 * (index / 3) + 3);
+        let found = judged(&judge, &Value::Array(wrong));
+        let Some(Verdict::Wrong(told)) = found.verdicts.get(index) else { panic!("{entry}: {:?}", found.verdicts) };
+        assert_eq!(found.first_wrong(), Some(index), "{entry}: {:?}", found.verdicts);
+        assert_eq!(told.mistake.as_ref().map(|told| told.mistake.id()), Some(mistake), "{entry}");
+    }
+}
+
+#[test]
+fn lines_along_a_guide_and_to_a_block_are_named() {
+    let judge = judge(&with_centers("slider-crank"));
+    let line = |along: Value| {
+        json!([
+            { "join": "r1", "on": "centers", "points": ["A", "B"] },
+            { "line": "r2", "on": "centers", "through": "C", "along": along },
+            { "cross": "P(2,0)", "of": ["r1", "r2"] },
+        ])
+    };
+    let guide = "3/ground";
+    assert!(judged(&judge, &line(json!({ "normal": guide }))).first_wrong().is_none());
+    let to_block = json!([
+        { "join": "r1", "on": "centers", "points": ["P(1,2)", "P(2,3)"] },
+        { "join": "r2", "on": "centers", "points": ["A", "C"] },
+        { "cross": "P(1,3)", "of": ["r1", "r2"] },
+    ]);
+    for (did, mistake) in [(line(json!({ "parallel": guide })), "centre-along-guide"), (to_block, "centre-at-slider")] {
+        let found = judged(&judge, &did);
+        let Some(Verdict::Wrong(told)) = found.verdicts.get(1) else { panic!("{did}: {:?}", found.verdicts) };
+        assert_eq!(told.mistake.as_ref().map(|told| told.mistake.id()), Some(mistake), "{did}");
+    }
+}
+
+#[test]
+fn a_permanent_centre_is_there_and_one_at_infinity_is_no_crossing() {
+    let judge = judge(&with_centers("slider-crank"));
+    let refused = |did: Value| judge.judge(&drawing(&did)).expect_err("it cannot be carried out").message.to_string();
+    let two = |name: &str| {
+        json!([
+            { "join": "r1", "on": "centers", "points": ["A", "B"] },
+            { "line": "r2", "on": "centers", "through": "C", "along": { "normal": "3/ground" } },
+            { "cross": name, "of": ["r1", "r2"] },
+        ])
+    };
+    assert!(refused(two("P(0,1)")).contains("P(0,1)"));
+    let parallel = json!([
+        { "line": "r1", "on": "centers", "through": "A", "along": { "normal": "3/ground" } },
+        { "line": "r2", "on": "centers", "through": "C", "along": { "normal": "3/ground" } },
+        { "cross": "P(1,3)", "of": ["r1", "r2"] },
+    ]);
+    assert!(refused(parallel).contains("r1"));
 }

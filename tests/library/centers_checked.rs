@@ -192,6 +192,84 @@ fn a_figure_with_a_plan_beside_its_centres_makes_exercises_of_both() {
     }
 }
 
+/// A form with places of the four-bar's centres on paper, in mm at 2 mm for each, moved by this.
+fn places(moved: &[(&str, [f64; 2])], origin: [f64; 2], degrees: f64) -> Value {
+    let text = files::read("templates/four-bar.json");
+    let solution = solved(&text).expect("a sound scene");
+    let point =
+        |name: &str| solution.pose.points[solution.mechanism.points.iter().position(|p| p == name).expect("a joint")];
+    let [a, b, c, d] = ["A", "B", "C", "D"].map(point);
+    // Of two lines by two points each, by Cramer's rule.
+    let crossing = |p: [f64; 2], q: [f64; 2], r: [f64; 2], s: [f64; 2]| {
+        let [u, v] = [[q[0] - p[0], q[1] - p[1]], [s[0] - r[0], s[1] - r[1]]];
+        let t = ((r[0] - p[0]) * v[1] - (r[1] - p[1]) * v[0]) / (u[0] * v[1] - u[1] * v[0]);
+        [p[0] + t * u[0], p[1] + t * u[1]]
+    };
+    let [a, b, c, d] = [a, b, c, d].map(|p| [p.x, p.y]);
+    let all = [("A", a), ("D", d), ("P(2,0)", crossing(a, b, c, d)), ("P(3,1)", crossing(b, c, a, d))];
+    let (sine, cosine) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
+    let placed = all.into_iter().map(|(name, [x, y])| {
+        let by = moved.iter().find(|(own, _)| *own == name).map_or([0.0; 2], |(_, by)| *by);
+        let [x, y] = [(x - a[0]) / 2.0 + by[0], (y - a[1]) / 2.0 + by[1]];
+        (name.to_owned(), json!([origin[0] + cosine * x - sine * y, origin[1] + sine * x + cosine * y, 0.3]))
+    });
+    let placed: serde_json::Map<String, Value> = placed.collect();
+    json!({ "kinegon_measured": 1, "mu_c": 2.0, "points": { "centers": placed } })
+}
+
+#[test]
+fn places_on_paper_are_coordinates_of_centres() {
+    let solution = with_figure("four-bar", json!({ "panels": ["scheme", "centers"] }));
+    let key = AnswerKey::new(&solution, None);
+    let told = |form: Value| {
+        let checked = check(&Measured::read_json(&form.to_string()).expect("a form"), &key).expect("it is understood");
+        let values = checked.values.iter().map(|value| (value.entry.asked.name().to_owned(), value.verdict));
+        let findings = checked.diagnosis.best.findings.iter().map(|finding| finding.candidate.mistake().id());
+        (values.collect::<Vec<_>>(), findings.collect::<Vec<_>>())
+    };
+    let right = [("P(2,ground).x", 0), ("P(2,ground).y", 0), ("P(1,3).x", 0), ("P(1,3).y", 0)];
+    let right: Vec<_> = right.map(|(name, _)| (name.to_owned(), Verdict::Right)).to_vec();
+    // From whatever place they are measured, and however the sheet lies, where a second joint shows that.
+    for (origin, degrees) in [([0.0, 0.0], 0.0), ([31.0, -17.0], 0.0), ([31.0, -17.0], 35.0), ([5.0, 80.0], -120.0)] {
+        let (values, findings) = told(places(&[], origin, degrees));
+        assert_eq!((values, findings.len()), (right.clone(), 0), "{origin:?} {degrees}");
+    }
+    let (values, _) = told(places(&[("P(3,1)", [6.0, 0.0])], [3.0, 4.0], 20.0));
+    let off: Vec<&str> =
+        values.iter().filter(|(_, verdict)| *verdict == Verdict::Off).map(|(name, _)| name.as_str()).collect();
+    assert_eq!(off, ["P(1,3).x"]);
+    // Both at each other's place.
+    let [x, y] = ["P(2,ground)", "P(1,3)"].map(|name| {
+        let centers = solution.construction.centers.as_deref().expect("centres");
+        centers.all.iter().find(|center| center.name == name).and_then(|center| center.place.finite()).expect("near")
+    });
+    let by = (y - x) / 2.0;
+    let (_, findings) = told(places(&[("P(2,0)", [by.x, by.y]), ("P(3,1)", [-by.x, -by.y])], [0.0; 2], 0.0));
+    assert_eq!(findings, ["lines-without-common-link"]);
+}
+
+#[test]
+fn places_of_centres_are_written_as_they_are_read() {
+    let solution = with_figure("four-bar", json!({ "panels": ["scheme", "centers"] }));
+    let form = places(&[], [3.5, -2.0], 0.0);
+    let measured = Measured::read_json(&form.to_string()).expect("a form");
+    let again: Value = serde_json::from_str(&measured.json(&solution)).expect("JSON");
+    assert_eq!(again["points"], form["points"]);
+    let table = Measured::read_csv(&measured.csv(&solution)).expect("a table");
+    assert_eq!(table.points[0].sheet, Sheet::Centers);
+    assert_eq!(table.points[0].places.len(), 4);
+    // Without the joint from which they are measured they say nothing, and on a force plan nothing is placed.
+    let mut without = form.clone();
+    without["points"]["centers"].as_object_mut().expect("places").remove("A");
+    let error = check(&Measured::read_json(&without.to_string()).expect("a form"), &AnswerKey::new(&solution, None));
+    assert_eq!(
+        error.expect_err("no origin").to_string(),
+        "instant centres: the place of A is missing, from which the others are measured"
+    );
+    let forces = json!({ "kinegon_measured": 1, "points": { "forces": { "A": [0, 0] } } }).to_string();
+    assert!(Measured::read_json(&forces).is_err());
+}
+
 /// A parallelogram: its coupler only translates, and so does each of two opposite links against the other.
 const PARALLELOGRAM: &str = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": ["A", "D"],
     "points": { "A": [0, 0], "B": [30, 40], "C": [130, 40], "D": [100, 0] },

@@ -63,7 +63,7 @@ fn form(way: usize, solution: &Solution, random: &mut Random) -> Measured {
     let asked = if way == 7 { vec![names[random.below(names.len())].clone()] } else { names.clone() };
     if way == 8 {
         for plan in solution.construction.plans() {
-            let mut points = PointsOf { order: plan.order, places: Default::default() };
+            let mut points = PointsOf::new(plan.order);
             for name in plan.points.keys().map(String::as_str).chain([plan.order.pole()]) {
                 let at = [random.within(100.0), random.within(100.0)];
                 points.places.insert(name.to_owned(), PlacedPoint { at, band: Some(random.between(0.0, 100.0)) });

@@ -1,6 +1,7 @@
 //! Forms as a page shows and writes them.
 
-use kinegon::check::{Measured, check, faults, form_boxes, further_boxes, plan_points, report_parts};
+use kinegon::Sheet;
+use kinegon::check::{Measured, check, faults, form_boxes, further_boxes, report_parts, sheet_points};
 use serde_json::Value;
 use support::files;
 use support::stages::{answer_key, solved};
@@ -14,8 +15,9 @@ fn boxes_are_those_of_the_empty_form() {
         let asked: Vec<&str> = file["values"].as_object().expect("values").keys().map(String::as_str).collect();
         let boxes: Vec<String> = form_boxes(&solution).into_iter().map(|found| found.name).collect();
         assert_eq!(boxes, asked, "{name}");
-        let [velocity, acceleration] = plan_points(&solution);
-        assert_eq!((velocity[0].0.as_str(), acceleration[0].0.as_str()), ("p", "π"), "{name}");
+        let points = sheet_points(&solution);
+        let [velocity, acceleration] = [Sheet::Velocity, Sheet::Acceleration].map(|plan| points[plan][0].0.as_str());
+        assert_eq!((velocity, acceleration), ("p", "π"), "{name}");
     }
 }
 

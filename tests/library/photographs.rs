@@ -1,6 +1,6 @@
 //! Photographs of sheets, taken by the camera of `tests/support/camera`, which shares nothing with the reader: where points are on paper, what is refused, which points are proposed.
 
-use kinegon::Order;
+use kinegon::Sheet;
 use kinegon::check::{self, PointVerdict, Proposal, common_scale};
 use kinegon::drawing::markers::SheetCode;
 use kinegon::photo::{self, Picture, Refusal};
@@ -207,7 +207,7 @@ fn found_at(places: [[f64; 2]; 3]) -> Vec<Proposal> {
     let rights = [[60.0, 0.0], [0.0, 80.0], [-50.0, 30.0]];
     let found = |at| Some(check::Found { at, band: 0.3, verdict: PointVerdict::Off });
     let point =
-        |(right, at)| Proposal { order: Order::Velocity, name: "b".into(), right, tolerance: 0.5, found: found(at) };
+        |(right, at)| Proposal { sheet: Sheet::Velocity, name: "b".into(), right, tolerance: 0.5, found: found(at) };
     rights.into_iter().zip(places).map(point).collect()
 }
 

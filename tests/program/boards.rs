@@ -121,3 +121,17 @@ fn what_is_no_drawing_is_refused_with_its_place() {
         assert!(stderr(&output).contains(words), "{drawing}: {}", stderr(&output));
     }
 }
+
+#[test]
+fn a_scale_at_which_no_paper_is_large_enough_is_refused() {
+    let folder = scratch("boards-scale");
+    let file = folder.join("far.json");
+    std::fs::write(&file, "{\n  \"kinegon_drawing\": 1,\n  \"mu_v\": 2.5e-6,\n  \"did\": []\n}\n")
+        .expect("it can be written");
+    let output = run(&["check", FOUR_BAR], &file);
+    assert_eq!(output.status.code(), Some(2), "{}", stdout(&output));
+    let said = stderr(&output);
+    for words in ["far.json:3:", "the velocity plan would be", "sheets of up to 100 m", "or leave mu_v out"] {
+        assert!(said.contains(words), "no {words} in\n{said}");
+    }
+}

@@ -13,13 +13,13 @@ use super::students::script;
 use super::students::sheet::ends_of;
 use super::students::task::{Planned, Task};
 use image::{DynamicImage, ImageDecoder, ImageReader};
+use kinegon::Sheet;
 use kinegon::check::{
-    AnswerKey, Measured, PencilledPlan, PointVerdict, PointsOf, Proposal, check, check_result, proposed,
+    AnswerKey, Measured, PaperPoints, PencilledPlan, PointVerdict, PointsOf, Proposal, check, check_result, proposed,
 };
 use kinegon::drawing::markers::SheetCode;
 use kinegon::exercise::Exercises;
 use kinegon::photo::{self, PhotoSheet, Picture, Stroke};
-use kinegon::{Order, Sheet};
 use std::io::Cursor;
 use std::sync::{Mutex, PoisonError};
 
@@ -137,7 +137,7 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
     let key = answer_key(&task.solution, 5);
     let codes: Vec<SheetCode> = given.sheets.iter().map(|sheet| sheet.0.clone()).collect();
     let mut photos: Vec<(PhotoSheet, Vec<Stroke>)> = Vec::new();
-    let mut truth: Vec<(Order, String, [f64; 2])> = Vec::new();
+    let mut truth: Vec<(Sheet, String, [f64; 2])> = Vec::new();
     for sheet in given.sheets.iter().filter(|sheet| !panels(&sheet.0).is_empty()) {
         let panels = panels(&sheet.0);
         let drawing = drawn(task, planned.as_ref(), skill, number, &panels);
@@ -154,18 +154,18 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
         let lines = found.strokes(&picture);
         for (plan, point) in &drawing.points {
             let pole = panels.iter().find(|panel| panel.plan == *plan).expect("its panel").pole;
-            truth.push((order_of(*plan), point.name.clone(), [point.mm[0] - pole[0], pole[1] - point.mm[1]]));
+            truth.push((sheet_of(*plan), point.name.clone(), [point.mm[0] - pole[0], pole[1] - point.mm[1]]));
         }
         photos.push((found, lines));
     }
     let plans: Vec<PencilledPlan<'_>> =
-        photos.iter().flat_map(|(found, strokes)| PencilledPlan::on(found, strokes)).collect();
+        photos.iter().flat_map(|(found, strokes)| PencilledPlan::on(&task.solution, found, strokes)).collect();
     let Ok(proposals) = proposed(&key, &plans) else { return };
     let mut points = compare(&proposals, &truth, task, tally);
     for plan in &plans {
-        if points.iter().all(|points| points.order != plan.order) {
-            let mut own = PointsOf::new(plan.order);
-            own.put(plan.order.pole(), [0.0; 2], Some(0.1));
+        if points.iter().all(|points| points.sheet != plan.of()) {
+            let mut own = PointsOf::new(plan.of());
+            own.put(plan.points.origin(), [0.0; 2], Some(0.1));
             points.push(own);
         }
     }
@@ -177,11 +177,11 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
     typed.values.retain(|value| !(value.name.starts_with("vplan") || value.name.starts_with("aplan")));
     typed.points = points;
     for plan in &plans {
-        typed.mu[plan.order.sheet()] = Some(plan.mu);
+        typed.mu[plan.of()] = Some(plan.mu);
     }
     tally.named[1] += usize::from(told(&typed) == Class::Named);
-    let left: Vec<(Order, String)> =
-        proposals.iter().filter(|point| point.found.is_none()).map(|point| (point.order, point.name.clone())).collect();
+    let left: Vec<(Sheet, String)> =
+        proposals.iter().filter(|point| point.found.is_none()).map(|point| (point.sheet, point.name.clone())).collect();
     tap(&mut typed.points, &plans, &left, &truth, task, &mut random);
     tally.named[2] += usize::from(told(&typed) == Class::Named);
 }
@@ -203,29 +203,29 @@ fn are_drawn(task: &Task, planned: &Planned) -> bool {
 fn tap(
     points: &mut [PointsOf],
     plans: &[PencilledPlan<'_>],
-    left: &[(Order, String)],
-    truth: &[(Order, String, [f64; 2])],
+    left: &[(Sheet, String)],
+    truth: &[(Sheet, String, [f64; 2])],
     task: &Task,
     random: &mut Random,
 ) {
-    for (order, name) in left {
-        let own = |(other, same, _): &&(Order, String, [f64; 2])| order == other && is_same(task, *order, name, same);
+    for (sheet, name) in left {
+        let own = |(other, same, _): &&(Sheet, String, [f64; 2])| sheet == other && is_same(task, *sheet, name, same);
         let Some((_, _, at)) = truth.iter().find(own) else { continue };
-        let Some(plan) = plans.iter().find(|plan| plan.order == *order) else { continue };
-        let Some(own) = points.iter_mut().find(|points| points.order == *order) else { continue };
+        let Some(plan) = plans.iter().find(|plan| plan.of() == *sheet) else { continue };
+        let Some(own) = points.iter_mut().find(|points| points.sheet == *sheet) else { continue };
         let finger = plan.on_sheet([at[0] + random.between(-0.7, 0.7), at[1] + random.between(-0.7, 0.7)]);
         let (place, band) = match photo::crossing(plan.strokes, kinegon::geometry::Point::from(finger), 1.5) {
             Some(crossing) => ([crossing.at.x, crossing.at.y], crossing.band.max(0.2)),
             None => (finger, 1.0),
         };
-        own.put(name.as_str(), plan.from_pole(place), Some(band));
+        own.put(name.as_str(), plan.from_origin(place), Some(band));
     }
 }
 
 /// Whether two names mean one point of a plan.
-fn is_same(task: &Task, order: Order, one: &str, other: &str) -> bool {
+fn is_same(task: &Task, sheet: Sheet, one: &str, other: &str) -> bool {
     let construction = &task.solution.construction;
-    let place = |name: &str| construction.place(order, construction.plan_name(order, name));
+    let place = |name: &str| construction.place(sheet, construction.plan_name(sheet, name));
     place(one) == place(other)
 }
 
@@ -235,21 +235,21 @@ fn class_of(form: &Measured, key: &AnswerKey<'_>, planned: &Planned) -> Class {
     class(&Said::new(&check_result(&checked, key, None)), planned)
 }
 
-fn order_of(plan: usize) -> Order {
-    if plan == 1 { Order::Velocity } else { Order::Acceleration }
+fn sheet_of(plan: usize) -> Sheet {
+    if plan == 1 { Sheet::Velocity } else { Sheet::Acceleration }
 }
 
 /// Compares proposals with the truth; the places of the points that were proposed.
 fn compare(
     proposals: &[Proposal],
-    truth: &[(Order, String, [f64; 2])],
+    truth: &[(Sheet, String, [f64; 2])],
     task: &Task,
     tally: &mut Tally,
 ) -> Vec<PointsOf> {
     let mut found: Vec<PointsOf> = Vec::new();
     for point in proposals {
-        let own = |(order, name, _): &&(Order, String, [f64; 2])| {
-            *order == point.order && is_same(task, *order, name, &point.name)
+        let own = |(sheet, name, _): &&(Sheet, String, [f64; 2])| {
+            *sheet == point.sheet && is_same(task, *sheet, name, &point.name)
         };
         let Some((_, _, at)) = truth.iter().find(own) else { continue };
         let distance = |a: [f64; 2], b: [f64; 2]| libm::hypot(a[0] - b[0], a[1] - b[1]);
@@ -270,9 +270,10 @@ fn compare(
             PointVerdict::Off => tally.misjudged += usize::from(off <= point.tolerance),
             PointVerdict::CannotTell => tally.untold += 1,
         }
-        let index = found.iter().position(|points| points.order == point.order).unwrap_or_else(|| {
-            let mut points = PointsOf::new(point.order);
-            points.put(point.order.pole(), [0.0; 2], Some(0.1));
+        let index = found.iter().position(|points| points.sheet == point.sheet).unwrap_or_else(|| {
+            let mut points = PointsOf::new(point.sheet);
+            let origin = PaperPoints::of(&task.solution, point.sheet).expect("a plan that is there").origin();
+            points.put(origin, [0.0; 2], Some(0.1));
             found.push(points);
             found.len() - 1
         });

@@ -9,6 +9,9 @@ export type Sheet = Panel;
 /** The sheets that are drawn from a pole. */
 export const PLANS: Sheet[] = SHEETS.filter(({ isPlan }) => isPlan).map(({ key }) => key);
 
+/** The sheets on which a hand draws and of whose points it gives the places: the plans, and the figure of instant centres. */
+export const DRAWN_ON: Sheet[] = SHEETS.filter(({ hasPlaces }) => hasPlaces).map(({ key }) => key);
+
 /** The key of a sheet's scale in scenes and forms. */
 export type Scale = (typeof SHEETS)[number]["scale"];
 

@@ -1,4 +1,4 @@
-//! Plan points proposed from the pencil lines of a photograph, and what each of them tells.
+//! Points of plans and of figures of instant centres proposed from the pencil lines of a photograph, and what each of them tells.
 //!
 //! The construction is carried out once more along the pencil lines, from the poles on: where lines are that an operation may have drawn, its result is where they are, and later
 //! operations go on from there. Where the right plan has its points is not asked: what an operation asks for is one way to read the lines among others, and what it cannot
@@ -15,13 +15,13 @@ use super::photographs::{PencilledPlan, PointVerdict, hundredths};
 use super::placed::ROUNDING;
 use crate::geometry::{Vector, cross};
 use crate::quantity::{QuantityRequest, pencil};
-use crate::sheet::Order;
+use crate::sheet::Sheet;
 use reading::{Reader, Reading};
 
 /// Where a point seems to be, by the pencil lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
-    /// Its place from the pole, in mm, y up.
+    /// Its place from the sheet's origin, in mm, y up.
     pub at: [f64; 2],
     /// Radius that holds it with 95 %, in mm.
     pub band: f64,
@@ -29,14 +29,14 @@ pub struct Found {
     pub verdict: PointVerdict,
 }
 
-/// A point of a plan: where it should be, and where it seems to be.
+/// A point of a sheet: where it should be, and where it seems to be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proposal {
-    /// Of which plan.
-    pub order: Order,
-    /// Its name, as in `b` or `n_b3`.
+    /// Of which sheet.
+    pub sheet: Sheet,
+    /// Its name, as in `b`, `n_b3` or `P(1,3)`.
     pub name: String,
-    /// Its right place from the pole, in mm, y up.
+    /// Its right place from the sheet's origin, in mm, y up.
     pub right: [f64; 2],
     /// How far from there an honest hand may have it, in mm.
     pub tolerance: f64,
@@ -44,17 +44,17 @@ pub struct Proposal {
     pub found: Option<Found>,
 }
 
-/// The form that proposals make: by plan the places that were found, with the radii that hold them, to 0.01 mm. Points that were not
+/// The form that proposals make: by sheet the places that were found, with the radii that hold them, to 0.01 mm. Points that were not
 /// found are blank in it.
 #[must_use]
 pub fn proposed_form(proposals: &[Proposal], plans: &[PencilledPlan<'_>], key: &AnswerKey<'_>) -> Measured {
     let blank = form_names(&key.solution.construction);
     let mut measured = Measured { mu: key.scales, blank, upright: true, ..Measured::default() };
     for plan in plans {
-        measured.mu[plan.order.sheet()] = Some(plan.mu);
-        let mut points = PointsOf::new(plan.order);
-        points.put(plan.order.pole(), [0.0; 2], Some(hundredths(plan.sheet.band(plan.pole))));
-        for point in proposals.iter().filter(|point| point.order == plan.order) {
+        measured.mu[plan.of()] = Some(plan.mu);
+        let mut points = PointsOf::new(plan.of());
+        points.put(plan.points.origin(), [0.0; 2], Some(hundredths(plan.sheet.band(plan.origin))));
+        for point in proposals.iter().filter(|point| point.sheet == plan.of()) {
             if let Some(found) = point.found {
                 points.put(point.name.as_str(), found.at.map(hundredths), Some(hundredths(found.band)));
             }
@@ -64,8 +64,10 @@ pub fn proposed_form(proposals: &[Proposal], plans: &[PencilledPlan<'_>], key: &
     measured
 }
 
-/// What of a place no line tells: where the student set the point of the pencil, as a radius in mm.
+/// What of a place no line tells: where the student set the point of the pencil, as a radius in mm. An end of a vector shows more of it than
+/// a crossing, which may be marked by 0.3 mm along x and y.
 const SET: f64 = 0.27;
+const SET_AT_CROSSING: f64 = 0.38;
 /// By how much the logarithm of the odds of two readings differs for each that speaks more for one of them.
 const ODDS: f64 = 1.5;
 /// Least share of the odds with which a place is proposed.
@@ -82,7 +84,7 @@ pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<
     let mut points = right_points(key, plans);
     let mut mu = key.scales;
     for plan in plans {
-        mu[plan.order.sheet()] = Some(plan.mu);
+        mu[plan.of()] = Some(plan.mu);
     }
     let model = Model::new(key, key.solution, mu, &[])?;
     let readings = Reader::new(&model, plans).readings();
@@ -95,8 +97,8 @@ pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<
 
 /// Where nearly all that speaks for any reading has a point: `None` where too much speaks for other places, or for none.
 fn agreed(readings: &[Reading], model: &Model, plans: &[PencilledPlan<'_>], point: &Proposal) -> Option<Found> {
-    let place = model.construction.place(point.order, model.construction.plan_name(point.order, &point.name))?;
-    let plan = plans.iter().find(|plan| plan.order == point.order)?;
+    let place = model.construction.place(point.sheet, model.construction.plan_name(point.sheet, &point.name))?;
+    let plan = plans.iter().find(|plan| plan.of() == point.sheet)?;
     let best = readings.first()?.worth;
     let spot = readings.iter().find_map(|reading| reading.sure_spot(place))?;
     let (mut here, mut all) = (0.0, 0.0);
@@ -111,7 +113,8 @@ fn agreed(readings: &[Reading], model: &Model, plans: &[PencilledPlan<'_>], poin
         return None;
     }
     let at = [spot.at.x, spot.at.y];
-    let band = libm::hypot(libm::hypot(spot.band, SET), plan.sheet.band(plan.on_sheet(at)));
+    let set = if point.sheet.order().is_some() { SET } else { SET_AT_CROSSING };
+    let band = libm::hypot(libm::hypot(spot.band, set), plan.sheet.band(plan.on_sheet(at)));
     let distance = libm::hypot(at[0] - point.right[0], at[1] - point.right[1]);
     Some(Found { at, band, verdict: PointVerdict::of(distance, band, point.tolerance) })
 }
@@ -123,7 +126,7 @@ fn leave_coincident(points: &mut [Proposal]) {
     for i in 0..points.len() {
         let is_taken = (0..points.len()).any(|j| {
             let both = places[i].zip(places[j]).is_some_and(|(a, b)| apart(a, b) < 1.0);
-            i != j && points[i].order == points[j].order && both && apart(points[i].right, points[j].right) > 2.0
+            i != j && points[i].sheet == points[j].sheet && both && apart(points[i].right, points[j].right) > 2.0
         });
         if is_taken {
             points[i].found = None;
@@ -157,22 +160,22 @@ pub fn common_scale(points: &[Proposal]) -> Option<f64> {
     (is_told && pairs.iter().all(agrees)).then_some(scale)
 }
 
-/// The points of the plans with their right places and the tolerances of these, without those at rest.
+/// The points of the sheets with their right places and the tolerances of these, without those at rest.
 fn right_points(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Vec<Proposal> {
     let mut points = Vec::new();
-    for PencilledPlan { order, mu, .. } in plans {
-        let Some(plan) = key.solution.construction.plan(*order) else { continue };
-        let segment = |name: &str| order.sheet().segment_name(order.pole(), name);
-        let moving = || plan.points.iter().filter(|(_, point)| point.vector != Vector::zeros());
-        let asked = moving().filter_map(|(name, _)| QuantityRequest::new(&segment(name), &key.solution.mechanism).ok());
+    for PencilledPlan { points: own, mu, .. } in plans {
+        let asked = own.found().flat_map(|(name, _)| own.quantities(name));
+        let asked = asked.filter_map(|name| QuantityRequest::new(&name, &key.solution.mechanism).ok());
         let mut scales = key.scales;
-        scales[order.sheet()] = Some(*mu);
+        scales[own.sheet] = Some(*mu);
         let pencil = pencil(key.solution, &scales, key.tolerance, asked.collect());
-        for (name, point) in moving() {
-            let Some(band) = pencil.band(&segment(name)) else { continue };
-            let right = [point.vector.x / mu, point.vector.y / mu];
-            let tolerance = (BANDS * band.band + ROUNDING * mu) / mu;
-            points.push(Proposal { order: *order, name: name.clone(), right, tolerance, found: None });
+        for (name, place) in own.found() {
+            let bands = own.quantities(name).into_iter().map(|quantity| Some(pencil.band(&quantity)?.band));
+            let Some(bands) = bands.collect::<Option<Vec<f64>>>() else { continue };
+            let right = [place.x / mu, place.y / mu];
+            let band = bands.into_iter().fold(0.0, libm::hypot);
+            let tolerance = (BANDS * band + ROUNDING * mu) / mu;
+            points.push(Proposal { sheet: own.sheet, name: name.to_owned(), right, tolerance, found: None });
         }
     }
     points

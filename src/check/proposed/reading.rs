@@ -132,8 +132,8 @@ impl Reading {
 impl<'a> Reader<'a> {
     pub(super) fn new(model: &'a Model, plans: &[PencilledPlan<'_>]) -> Reader<'a> {
         let ink = PerSheet::from_fn(|sheet| {
-            let plan = plans.iter().find(|plan| plan.order.sheet() == sheet)?;
-            let turned = |at: Point| Point::from(plan.from_pole([at.x, at.y]));
+            let plan = plans.iter().find(|plan| plan.of() == sheet)?;
+            let turned = |at: Point| Point::from(plan.from_origin([at.x, at.y]));
             let strokes = plan.strokes.iter().map(|stroke| Stroke { ends: stroke.ends.map(turned), ..*stroke });
             Some(Ink::new(strokes.collect()))
         });
@@ -182,6 +182,12 @@ impl<'a> Reader<'a> {
         let Some(ink) = &self.ink[operation.sheet] else { return next.push(reading) };
         let before = next.len();
         let place = match operation.kind {
+            // What the sheet has from the start.
+            OperationKind::Plot { place, .. } => {
+                let at = self.at(&reading, operation.sheet, place);
+                reading.places[operation.sheet].push(at);
+                return next.push(reading);
+            }
             OperationKind::Cross { place, lines } => {
                 if !is_hidden {
                     self.cross(ink, operation.sheet, &reading, (place, lines), next);
@@ -260,9 +266,10 @@ impl<'a> Reader<'a> {
         next: &mut Vec<Reading>,
     ) {
         let [first, second] = lines.map(|line| {
-            let (on, along) = reading.values.line(line);
-            let on = Point::from(on / self.model.scales[sheet]);
-            if along.norm().is_finite() { self.rays(ink, sheet, reading, on, along) } else { Vec::new() }
+            let (_, along) = reading.values.line(line);
+            let on = self.drawn_through(line);
+            let on: SmallVec<[Point; 2]> = on.iter().map(|place| self.at(reading, sheet, *place)).collect();
+            if along.norm().is_finite() { self.rays(ink, sheet, reading, &on, along) } else { Vec::new() }
         });
         for (a, cost_a) in &first {
             for (b, cost_b) in &second {
@@ -276,7 +283,9 @@ impl<'a> Reader<'a> {
                     continue;
                 }
                 // What no operation asks for is believed where a further line, as the vector from the pole, leads there, too.
-                let is_sure = is_sure && (cost < QUARTER || ink.meet(spot.at, [*a, *b]));
+                // To a centre no vector leads.
+                let few = if sheet.order().is_some() { QUARTER } else { ANY };
+                let is_sure = is_sure && (cost < few || ink.meet(spot.at, [*a, *b]));
                 let mut reading = reading.with(sheet, place, spot, is_sure, &[*a, *b]);
                 reading.worth += CROSSING - cost;
                 next.push(reading);
@@ -284,8 +293,19 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The lines that may be a ray in a direction through a place, with what speaks against each.
-    fn rays(&self, ink: &Ink, sheet: Sheet, reading: &Reading, on: Point, along: Vector) -> Vec<(usize, f64)> {
+    /// The places through which a line is drawn.
+    fn drawn_through(&self, line: LineId) -> SmallVec<[PlaceId; 2]> {
+        let mut operations = self.model.construction.operations.iter();
+        let drawn = operations.find(|operation| operation.kind.line() == Some(line));
+        drawn.map_or_else(SmallVec::new, |operation| match operation.kind {
+            OperationKind::Draw { through, .. } => SmallVec::from_slice(&[through]),
+            OperationKind::Join { from, towards, .. } => SmallVec::from_slice(&[from, towards]),
+            _ => SmallVec::new(),
+        })
+    }
+
+    /// The lines that may be a ray in a direction through these places, with what speaks against each.
+    fn rays(&self, ink: &Ink, sheet: Sheet, reading: &Reading, on: &[Point], along: Vector) -> Vec<(usize, f64)> {
         let mut rays: Vec<(usize, f64)> = Vec::new();
         // What is something else already is a ray only where it lies as a ray should.
         let is_free = |line: usize, cost: f64| cost < 2.0 * UNEVEN || !reading.used.contains(&(sheet, line));
@@ -293,19 +313,30 @@ impl<'a> Reader<'a> {
             Some((_, other)) => *other = other.min(cost),
             None => rays.push((line, cost)),
         };
-        for (line, aside) in ink.through(on) {
+        for (line, aside) in on.iter().flat_map(|on| ink.through(*on)) {
             let stroke = ink.line(line);
             let cost = direction_cost(stroke.along(), along, stroke.length(), false) + UNEVEN * aside * aside;
             if is_free(line, cost) {
                 add(line, cost);
             }
         }
-        for other in reading.places[sheet].iter().filter(|other| (**other - on).norm() > 1.5) {
+        let is_other = |other: &&Point| on.iter().all(|on| (**other - on).norm() > 1.5);
+        for other in reading.places[sheet].iter().filter(is_other) {
             for (line, aside) in ink.through(*other) {
                 let stroke = ink.line(line);
                 let cost = direction_cost(stroke.along(), along, stroke.length(), false);
                 if cost <= UNEVEN && is_free(line, ELSEWHERE) {
                     add(line, cost + ELSEWHERE + UNEVEN * aside * aside);
+                }
+            }
+        }
+        // A line through two other centres.
+        if sheet.order().is_none() {
+            for line in (0..ink.is_meant.len()).filter(|line| ink.is_meant[*line]) {
+                let stroke = ink.line(line);
+                let is_on = |at: &&Point| stroke.aside(**at).abs() < JOINING;
+                if reading.places[sheet].iter().filter(is_on).count() > 1 {
+                    add(line, ELSEWHERE);
                 }
             }
         }

@@ -4,6 +4,7 @@ use super::super::checked::Judged;
 use super::super::measured::{AnswerKey, Measured, PlacedPoint};
 use super::super::mistakes::Candidate;
 use super::super::model::{Model, in_order};
+use super::super::on_paper::PaperPoints;
 use super::super::report::significant;
 use crate::construction::{LineId, MeasuredAs, OperationKind, PlaceId, Values};
 use crate::drawing::{OwnKind, OwnLine, OwnPoint};
@@ -62,8 +63,9 @@ impl<'a> Sheets<'a> {
     pub(super) fn lay_points(&mut self, measured: &Measured) -> Vec<(Sheet, f64)> {
         let mut turns = Vec::new();
         for points in &measured.points {
-            let sheet = points.order.sheet();
-            let (Some(pole), Some(mu)) = (points.pole(), measured.mu[sheet]) else {
+            let sheet = points.sheet;
+            let Some(on_paper) = PaperPoints::of(self.key.solution, sheet) else { continue };
+            let (Some(pole), Some(mu)) = (points.origin(&on_paper), measured.mu[sheet]) else {
                 continue;
             };
             let origin = Vector::from(points.places[pole].at);
@@ -77,7 +79,7 @@ impl<'a> Sheets<'a> {
             let degrees = best_turn(&pairs, SEEN * mu);
             for (name, place) in &points.places {
                 let is_pole = name == pole;
-                let name = if is_pole { points.order.pole() } else { self.own.construction.plan_name(sheet, name) };
+                let name = if is_pole { on_paper.origin() } else { self.own.construction.plan_name(sheet, name) };
                 let place: Vector = turn_of_degrees(degrees).transform_vector(&from_pole(place));
                 self.given.insert((sheet, name.to_owned()), place);
             }

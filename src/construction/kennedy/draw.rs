@@ -26,7 +26,8 @@ impl Writer<'_> {
         inflected: &[BodyId],
     ) {
         let links: Vec<BodyId> = links(self.mechanism);
-        self.construction.centers = Some(Box::new(Centers { links: links.clone(), ..Centers::default() }));
+        self.construction.centers =
+            Some(Box::new(Centers { wanted: wanted.to_vec(), links: links.clone(), ..Centers::default() }));
         self.permanent_centers(&links);
         let number = |link: BodyId| links.iter().position(|&other| other == link);
         let two_of = |pair: LinkPair| {

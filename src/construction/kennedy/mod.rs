@@ -34,6 +34,8 @@ pub struct CenterId(pub usize);
 pub struct Centers {
     /// The centres: first the permanent ones, then each after those it needs.
     pub all: Vec<Center>,
+    /// The centres that the figure asks for.
+    pub wanted: Vec<LinkPair>,
     /// The links of the circle diagram, the frame first.
     pub links: Vec<BodyId>,
     /// The centres that were asked for and that no lines lead to, with their places by the computed motion; none where the links are at rest on

@@ -22,7 +22,7 @@ const LENGTH: [f64; 2] = [12.0, 8.5];
 const RADIUS: f64 = 3.6;
 const SWEEP: f64 = 3.6;
 /// Radius of a torque around a couple, in parts of that of the couple.
-const AROUND: f64 = 1.75;
+const AROUND: f64 = 1.6;
 /// How far a line of action goes on beyond its foot, in mm.
 const BEYOND: f64 = 3.0;
 /// Radius of a centre of mass, in mm.

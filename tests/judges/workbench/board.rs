@@ -34,12 +34,17 @@ pub fn opened(name: &str) -> Option<Bench> {
 }
 
 pub fn begin(bench: &mut Bench) {
+    begin_on(bench, "velocity");
+}
+
+/// Opens the board, on which this sheet is drawn on.
+fn begin_on(bench: &mut Bench, sheet: &str) {
     bench.panel("check");
     // What stands above it comes from the engine, and moves it.
     bench.until("document.querySelector('#board-begin')?.getClientRects().length > 0");
     let words = bench.text("document.querySelector('#board-begin').textContent");
     bench.press_named("#panel-check", &words);
-    bench.until("document.querySelector('#board .over[data-sheet=velocity]')?.dataset.window !== undefined");
+    bench.until(&format!("document.querySelector('#board .over[data-sheet={sheet}]')?.dataset.window !== undefined"));
     bench.until("document.activeElement.closest('#board') !== null");
     bench.settle();
 }
@@ -146,7 +151,11 @@ fn chip(name: &str) -> String {
 
 /// Where lines cross.
 fn crossing(bench: &mut Bench) -> [f64; 2] {
-    let ask = json!({ "has": { "cross": "" }, "sheet": "velocity", "at": [0, 0], "reach": 1e4 });
+    crossing_on(bench, "velocity")
+}
+
+fn crossing_on(bench: &mut Bench, sheet: &str) -> [f64; 2] {
+    let ask = json!({ "has": { "cross": "" }, "sheet": sheet, "at": [0, 0], "reach": 1e4 });
     let found = bench.value(&format!(
         "kinegon.engine.board_snap(kinegon.app.solved.value.good, kinegon.history.now.value.drawing, {ask})"
     ));
@@ -402,4 +411,40 @@ fn axe_finds_nothing_on_the_board() {
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
     bench.assert_quiet();
+}
+
+/// The centre of the coupler of templates/slider-crank.json: on the crank's line and above the block, by its geometry.
+fn instant_centre_by(name: &str, size: [u32; 2], is_finger: bool) {
+    let mut scene: Value = serde_json::from_str(&files::read("templates/slider-crank.json")).expect("a scene");
+    scene["figure"] = json!({ "panels": ["scheme", "centers"], "centers": ["P(2,ground)"] });
+    let Some(mut bench) = Bench::of(name, &scene.to_string()) else { return };
+    if is_finger {
+        bench.telephone(size);
+        bench.settle();
+    }
+    begin_on(&mut bench, "centers");
+    let mut hand = Hand { bench: &mut bench, is_finger, gestures: 0 };
+    hand.tool("join");
+    hand.at("centers", "A");
+    hand.at("centers", "B");
+    hand.tool("line");
+    hand.at("scheme", "3/ground");
+    hand.at("centers", "C");
+    hand.tool("cross");
+    let at_crossing = crossing_on(hand.bench, "centers");
+    hand.place("centers", at_crossing);
+    hand.chip("P(2,ground)");
+    assert!(hand.gestures <= MOST_GESTURES, "{} gestures", hand.gestures);
+    bench.picture(name);
+    let [a, b, c, p] = ["A", "B", "C", "P(2,ground)"].map(|name| at(&mut bench, "centers", name));
+    let right = [c[0], a[1] + (b[1] - a[1]) * (c[0] - a[0]) / (b[0] - a[0])];
+    assert!(libm::hypot(p[0] - right[0], p[1] - right[1]) < 0.02, "{p:?} for {right:?}");
+    assert_eq!(judged(&mut bench)["first_wrong"], Value::Null);
+    bench.assert_quiet();
+}
+
+#[test]
+fn an_instant_centre_by_mouse_and_by_finger() {
+    instant_centre_by("board-centers-mouse", [1280, 800], false);
+    instant_centre_by("board-centers-finger", [390, 844], true);
 }

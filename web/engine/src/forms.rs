@@ -1,9 +1,9 @@
 use crate::checks::measured;
 use crate::desk::Desk;
 use crate::refused::Refused;
-use kinegon::check::{AnswerKey, FormBox, Measured, form_boxes, further_boxes, plan_points};
+use kinegon::check::{AnswerKey, FormBox, Measured, form_boxes, further_boxes, sheet_points};
 use kinegon::format::html_text;
-use kinegon::{Order, Sheet, Solution};
+use kinegon::{Sheet, Solution};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -93,7 +93,11 @@ impl Desk {
         let scales = solution.scales();
         let empty = Measured::empty(scales, None);
         let point = |(name, label)| PlanPoint { name, label: html_text(&label) };
-        let points = Order::ALL.map(Order::sheet).into_iter().zip(plan_points(solution));
+        let mut points = sheet_points(solution);
+        let points = Sheet::ALL
+            .into_iter()
+            .filter(|sheet| sheet.has_places())
+            .map(|sheet| (sheet, std::mem::take(&mut points[sheet])));
         Ok(Form {
             rows,
             scales: Sheet::ALL.into_iter().map(|sheet| (sheet, scales[sheet])).collect(),

@@ -1,4 +1,4 @@
-//! The last photograph of a sheet: the right plans over it, what is tapped on it, how its points stand.
+//! The last photograph of a sheet: the right plans and lines of centres over it, what is tapped on it, how its points stand.
 
 use crate::desk::Desk;
 use crate::forms::usual_key;
@@ -6,9 +6,9 @@ use crate::photo_answers::{
     Photo, PhotoPlan, PhotoPoint, PhotoRead, PhotoRefused, PlacedPoint, PointVerdict, Proposed, Tapped,
 };
 use crate::refused::Refused;
-use kinegon::check::{self, BANDS, PencilledPlan, hundredths, plan_points};
-use kinegon::construction::{Plan, PointRole, Teller, Tolerance};
-use kinegon::drawing::markers::{PlacedPanel, SheetCode};
+use kinegon::check::{self, BANDS, PaperPoints, PencilledPlan, hundredths, sheet_points};
+use kinegon::construction::{Plan, Teller, Tolerance};
+use kinegon::drawing::markers::SheetCode;
 use kinegon::format::html_text;
 use kinegon::geometry::Vector;
 use kinegon::photo::{self, PhotoSheet, Picture, Stroke, says};
@@ -18,7 +18,7 @@ use kinegon::{Message, Sheet, Solution};
 /// Length of the straight pieces by which a line of the plan follows the picture, in mm of paper.
 const PIECE: f64 = 8.0;
 
-/// A photograph of a sheet that has plans of the scene.
+/// A photograph of a sheet that has plans or centres of the scene.
 pub struct Photograph {
     /// The scene's text.
     text: String,
@@ -92,12 +92,14 @@ fn turned([x, y]: [f64; 2], [width, height]: [f64; 2], quarters: u8) -> [f64; 2]
     }
 }
 
-/// A plan on the sheet.
+/// A plan or figure of instant centres on the sheet.
 struct PlanInPhoto {
     sheet: Sheet,
-    panel: PlacedPanel,
+    mu: f64,
+    /// The place of its origin, in mm, y down.
+    origin: [f64; 2],
     points: Vec<RightPoint>,
-    /// Its vectors and rays by their ends, in mm from the pole with y up.
+    /// Its vectors, rays and pole lines by their ends, in mm from the origin with y up.
     lines: Vec<[[f64; 2]; 2]>,
 }
 
@@ -105,7 +107,7 @@ struct PlanInPhoto {
 struct RightPoint {
     name: String,
     label: String,
-    /// From the pole, y up.
+    /// From the origin, y up.
     at: [f64; 2],
     /// How far from there an honest hand may have it.
     tolerance: f64,
@@ -151,16 +153,14 @@ pub fn read(
 
 /// The plans on a sheet.
 fn plans(solution: &Solution, code: &SheetCode) -> Vec<PlanInPhoto> {
-    let construction = &solution.construction;
-    let mut labels = plan_points(solution);
+    let mut labels = sheet_points(solution);
     let found = code.panels.iter().filter_map(|panel| {
-        let plan = construction.plan_on(panel.panel)?;
-        let named = std::mem::take(&mut labels[plan.order]);
+        let own = PaperPoints::of(solution, panel.panel)?;
+        let named = std::mem::take(&mut labels[own.sheet]);
         // Images of points at rest are the pole itself.
-        let is_asked =
-            |name: &str| name == plan.order.pole() || plan.points.get(name).is_some_and(|p| p.role != PointRole::Pole);
+        let is_asked = |name: &str| name == own.origin() || own.found().any(|(found, _)| found == name);
         let points = named.into_iter().filter(|(name, _)| is_asked(name)).filter_map(|(name, label)| {
-            let vector = plan.points.get(&name)?.vector / panel.mu;
+            let vector = own.right(&name)? / panel.mu;
             Some(RightPoint {
                 tolerance: BANDS * Tolerance::default().mm,
                 label: html_text(&label),
@@ -168,8 +168,12 @@ fn plans(solution: &Solution, code: &SheetCode) -> Vec<PlanInPhoto> {
                 name,
             })
         });
-        let points = points.collect();
-        Some(PlanInPhoto { sheet: plan.sheet(), panel: *panel, points, lines: lines(solution, plan, panel.mu) })
+        let origin = panel.at(own.origin_on_panel().into());
+        let lines = match solution.construction.plan_on(own.sheet) {
+            Some(plan) => lines(solution, plan, panel.mu),
+            None => lines_of_centers(solution, panel.mu),
+        };
+        Some(PlanInPhoto { sheet: own.sheet, mu: panel.mu, origin, points: points.collect(), lines })
     });
     found.collect()
 }
@@ -189,10 +193,33 @@ fn lines(solution: &Solution, plan: &Plan, mu: f64) -> Vec<[[f64; 2]; 2]> {
     lines
 }
 
+/// The lines that lead to instant centres, each over its places on the sheet.
+fn lines_of_centers(solution: &Solution, mu: f64) -> Vec<[[f64; 2]; 2]> {
+    let Some(centers) = solution.construction.centers.as_deref() else { return Vec::new() };
+    let mut lines = Vec::new();
+    for center in &centers.all {
+        for line in center.lines() {
+            let on_line = line.through.iter().map(|id| centers.get(*id).place).chain([center.place]);
+            let places: Vec<_> = on_line.filter_map(|place| place.finite()).collect();
+            let Some((first, others)) = places.split_first() else { continue };
+            let Some(along) = others.iter().map(|place| *place - *first).find(|along| along.norm() > 0.0) else {
+                continue;
+            };
+            let at = places.iter().map(|place| along.dot(&(*place - *first)) / along.norm_squared());
+            let (low, high) = at.fold((0.0_f64, 0.0_f64), |(low, high), t| (low.min(t), high.max(t)));
+            lines.push([low, high].map(|t| {
+                let from_origin = (*first + along * t - solution.construction.origin) / mu;
+                [from_origin.x, from_origin.y]
+            }));
+        }
+    }
+    lines
+}
+
 impl PlanInPhoto {
-    /// A place of the plan, in mm from the pole with y up, on the sheet.
+    /// A place of the plan, in mm from the origin with y up, on the sheet.
     fn on_sheet(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [self.panel.origin[0] + x, self.panel.origin[1] - y]
+        [self.origin[0] + x, self.origin[1] - y]
     }
 
     fn point(&self, name: &str) -> Option<&RightPoint> {
@@ -219,7 +246,7 @@ impl PlanInPhoto {
         };
         PhotoPlan {
             plan: self.sheet,
-            mu: self.panel.mu,
+            mu: self.mu,
             points: self.points.iter().map(point).collect(),
             lines: self.lines.iter().map(line).collect(),
         }
@@ -245,11 +272,12 @@ impl Photograph {
             return Ok(());
         }
         let strokes = self.sheet.sheet.strokes(&self.picture);
-        let pencilled: Vec<PencilledPlan<'_>> = PencilledPlan::on(&self.sheet.sheet, &strokes).collect();
-        let all = check::proposed(&usual_key(desk.solution(&self.text)?), &pencilled)?;
+        let solution = desk.solution(&self.text)?;
+        let pencilled: Vec<PencilledPlan<'_>> = PencilledPlan::on(solution, &self.sheet.sheet, &strokes).collect();
+        let all = check::proposed(&usual_key(solution), &pencilled)?;
         let mut points = Vec::new();
         for proposal in all {
-            let Some(index) = self.plans.iter().position(|plan| plan.sheet == proposal.order.sheet()) else { continue };
+            let Some(index) = self.plans.iter().position(|plan| plan.sheet == proposal.sheet) else { continue };
             let own = self.plans[index].points.iter_mut().find(|point| point.name == proposal.name);
             if let Some(point) = own {
                 point.tolerance = proposal.tolerance;
@@ -261,10 +289,10 @@ impl Photograph {
     }
 
     /// A plan on the sheet with the pencil lines that were found.
-    fn plan(&self, sheet: Sheet) -> Option<(&PlanInPhoto, PencilledPlan<'_>)> {
+    fn plan<'a>(&'a self, solution: &'a Solution, sheet: Sheet) -> Option<(&'a PlanInPhoto, PencilledPlan<'a>)> {
         let plan = self.plans.iter().find(|plan| plan.sheet == sheet)?;
-        let mut pencilled = PencilledPlan::on(&self.sheet.sheet, &self.found.as_ref()?.strokes);
-        Some((plan, pencilled.find(|pencilled| pencilled.order.sheet() == sheet)?))
+        let mut pencilled = PencilledPlan::on(solution, &self.sheet.sheet, &self.found.as_ref()?.strokes);
+        Some((plan, pencilled.find(|pencilled| pencilled.of() == sheet)?))
     }
 
     /// The place of a point that is tapped in the picture, in pixels: the crossing of pencil lines within `reach` mm, else the
@@ -277,13 +305,16 @@ impl Photograph {
         [reach, aim]: [f64; 2],
     ) -> Result<Option<Tapped>, Refused> {
         self.find(desk)?;
-        let (Some((_, plan)), Some(paper)) = (self.plan(plan), self.sheet.paper(pixel)) else { return Ok(None) };
+        let solution = desk.solution(&self.text)?;
+        let (Some((_, plan)), Some(paper)) = (self.plan(solution, plan), self.sheet.paper(pixel)) else {
+            return Ok(None);
+        };
         let [width, height] = self.sheet.sheet.code.page.size_mm();
         if !((0.0..width).contains(&paper[0]) && (0.0..height).contains(&paper[1])) {
             return Ok(None);
         }
         let aimed = plan.aimed(paper, reach, aim);
-        Ok(Some(self.place(plan.from_pole(aimed.at), aimed.at, aimed.band, aimed.is_crossing)))
+        Ok(Some(self.place(plan.from_origin(aimed.at), aimed.at, aimed.band, aimed.is_crossing)))
     }
 
     /// A place of a plan and of its sheet, known within `band` mm.
@@ -303,9 +334,10 @@ impl Photograph {
     /// the printed one where the student has none.
     pub fn judged(&mut self, desk: &mut Desk, placed: &[PlacedPoint]) -> Result<Vec<PointVerdict>, Refused> {
         self.find(desk)?;
+        let solution = desk.solution(&self.text)?;
         let place = |point: &PlacedPoint| check::PlacedPoint { at: point.at, band: point.band };
         let verdict = |point: &PlacedPoint| {
-            let (plan, pencilled) = self.plan(point.plan)?;
+            let (plan, pencilled) = self.plan(solution, point.plan)?;
             let right = plan.point(&point.name)?;
             let own = place(point);
             let pole = plan.points.first().filter(|pole| pole.name != point.name);

@@ -90,7 +90,7 @@ pub struct Proposed {
 /// A place that was tapped, or is proposed.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Tapped {
-    /// In mm of paper from the printed pole, x right, y up.
+    /// In mm of paper from the printed origin, x right, y up.
     pub at: [f64; 2],
     /// In the picture.
     pub pixel: [f64; 2],
@@ -110,7 +110,7 @@ pub struct PlacedPoint {
     pub plan: Sheet,
     /// Its name in the form file.
     pub name: String,
-    /// In mm of paper from the printed pole, x right, y up.
+    /// In mm of paper from the printed origin, x right, y up.
     pub at: [f64; 2],
     /// Radius that holds it with 95 %, in mm; none where a hand has put it.
     pub band: Option<f64>,

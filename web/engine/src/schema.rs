@@ -53,7 +53,14 @@ pub fn schema() -> Value {
 fn facts(sheet: Sheet) -> Value {
     let (is_plan, vector) = (sheet.order().is_some(), sheet.order().map_or("", Order::vector));
     let is_usual = Sheet::USUAL.contains(&sheet);
-    json!({ "key": sheet, "scale": sheet.facts().scale_key, "isPlan": is_plan, "isUsual": is_usual, "vector": vector })
+    json!({
+        "key": sheet,
+        "scale": sheet.facts().scale_key,
+        "isPlan": is_plan,
+        "hasPlaces": sheet.has_places(),
+        "isUsual": is_usual,
+        "vector": vector
+    })
 }
 
 /// The types of scene files, from their own schema: `SceneFile`, and its parts by their names there behind `Scene`.

@@ -4,10 +4,9 @@ import { element } from "../dom/element.ts";
 import { icon } from "../dom/icon.ts";
 import { radios } from "../dom/radios.ts";
 import { button, worded } from "../dom/worded.ts";
-import { SHEETS } from "../engine/types.ts";
 import { askedFor, textOf } from "../files/open.ts";
 import { name } from "../layout/say.ts";
-import { called, PLANS, type Sheet } from "../sheets.ts";
+import { called, DRAWN_ON, type Sheet } from "../sheets.ts";
 import { language } from "../words.ts";
 import { classList } from "./class.ts";
 import { drawingOf } from "./file.ts";
@@ -24,8 +23,8 @@ import { say, type Saying } from "./words.ts";
 
 /** Narrower than this one sheet is shown at a time. */
 const NARROW = "(max-width: 959.9px)";
-/** Those that are drawn on: instant centres and forces are not yet. */
-const ALL = SHEETS.map(({ key }) => key).filter((key) => key === "scheme" || key === "velocity" || key === "acceleration");
+/** The scheme, and those that are drawn on: forces are not yet. */
+const ALL: readonly Sheet[] = ["scheme", ...DRAWN_ON];
 
 /** Shows the board as `app.drawing` says; nothing of it is there before. */
 export function board(app: App): void {
@@ -65,7 +64,7 @@ function builds(app: App): { show(is: boolean): void } {
   own.until.on(looks);
   own.looked.on(looks);
   const narrow = window.matchMedia(NARROW);
-  const fits = (): void => own.alone.set(narrow.matches ? own.alone.value || PLANS[0]! : "");
+  const fits = (): void => own.alone.set(narrow.matches ? own.alone.value || own.drawnOn() : "");
   narrow.addEventListener("change", fits);
 
   root.addEventListener("keydown", (event) => {

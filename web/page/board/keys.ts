@@ -1,6 +1,6 @@
 /** Keys on the sheets: letters choose tools, N goes from one possible thing to the next, arrows move a cross, Enter is a press. */
 import type { App } from "../app.ts";
-import { called, PLANS, type Sheet } from "../sheets.ts";
+import { called, type Sheet } from "../sheets.ts";
 import { askWhich, meantBy, snaps } from "./hands.ts";
 import type { Model } from "./model.ts";
 import type { Place, Stage } from "./stage.ts";
@@ -28,7 +28,7 @@ export function keys(app: App, model: Model, stages: readonly Stage[], toStrip: 
   /** What N goes through, with the entry for which it was asked. */
   let round: { of: string; all: { stage: Stage; snap: Snapped }[]; at: number } = { of: "", all: [], at: -1 };
   /** The plan on which keys were last. */
-  let plan: Sheet = PLANS[0]!;
+  let plan: Sheet | null = null;
 
   const middle = ({ view }: Stage): Place => view.toSheet([view.size.width / 2, view.size.height / 2]);
 
@@ -43,7 +43,7 @@ export function keys(app: App, model: Model, stages: readonly Stage[], toStrip: 
   /** The sheets in the order in which what comes next is looked for: directions on the scheme, points where the entry is drawn. */
   function inOrder(stage: Stage): Stage[] {
     const takes = lacking(model.tool.value, model.has.value)?.takes;
-    const on = takes === "direction" || takes === "scheme" ? "scheme" : (model.has.value["on"] ?? (stage.sheet === "scheme" ? plan : stage.sheet));
+    const on = takes === "direction" || takes === "scheme" ? "scheme" : (model.has.value["on"] ?? (stage.sheet === "scheme" ? (plan ?? model.drawnOn()) : stage.sheet));
     const there = stages.filter(({ root }) => !root.classList.contains("missing"));
     return [...there.filter(({ sheet }) => sheet === on), ...there.filter(({ sheet }) => sheet !== on)];
   }

@@ -1,7 +1,7 @@
 /** What the board knows: the drawing, the entry under way, what the engine says of both. The drawing's text is the only state that is kept. */
 import type { App } from "../app.ts";
 import { said } from "../refused.ts";
-import type { Sheet } from "../sheets.ts";
+import { DRAWN_ON, type Sheet } from "../sheets.ts";
 import { newest } from "../state/newest.ts";
 import { signal, type Signal } from "../state/signal.ts";
 import type { BoardUse } from "../state/address.ts";
@@ -27,6 +27,8 @@ export interface Model {
   readonly has: Signal<Entry>;
   /** The sheet that is shown alone; empty where all are. */
   readonly alone: Signal<Sheet | "">;
+  /** The first sheet that is drawn on. */
+  drawnOn(): Sheet;
   /** How many entries are shown; null for all. */
   readonly until: Signal<number | null>;
   /** Another drawing that is looked at in place of the own: the program's, or somebody else's. */
@@ -182,6 +184,7 @@ export function model(app: App): Model {
     tool,
     has,
     alone: signal<Sheet | "">(""),
+    drawnOn: () => known.value?.sheets.find(({ sheet }) => sheet !== "scheme")?.sheet ?? DRAWN_ON[0]!,
     until,
     looked,
     replaced,

@@ -2105,7 +2105,7 @@ export interface PhotoRefused {
  */
 export interface Tapped {
   /**
-   * In mm of paper from the printed pole, x right, y up.
+   * In mm of paper from the printed origin, x right, y up.
    *
    * @minItems 2
    * @maxItems 2
@@ -2144,7 +2144,7 @@ export interface MarkedPoint {
    */
   name: string;
   /**
-   * In mm of paper from the printed pole, x right, y up.
+   * In mm of paper from the printed origin, x right, y up.
    *
    * @minItems 2
    * @maxItems 2
@@ -2742,6 +2742,7 @@ export const SHEETS = [
     "key": "scheme",
     "scale": "mu_l",
     "isPlan": false,
+    "hasPlaces": false,
     "isUsual": true,
     "vector": ""
   },
@@ -2749,6 +2750,7 @@ export const SHEETS = [
     "key": "velocity",
     "scale": "mu_v",
     "isPlan": true,
+    "hasPlaces": true,
     "isUsual": true,
     "vector": "v"
   },
@@ -2756,6 +2758,7 @@ export const SHEETS = [
     "key": "acceleration",
     "scale": "mu_a",
     "isPlan": true,
+    "hasPlaces": true,
     "isUsual": true,
     "vector": "a"
   },
@@ -2763,6 +2766,7 @@ export const SHEETS = [
     "key": "centers",
     "scale": "mu_c",
     "isPlan": false,
+    "hasPlaces": true,
     "isUsual": false,
     "vector": ""
   },
@@ -2770,6 +2774,7 @@ export const SHEETS = [
     "key": "forces",
     "scale": "mu_f",
     "isPlan": false,
+    "hasPlaces": false,
     "isUsual": false,
     "vector": ""
   },
@@ -2777,6 +2782,7 @@ export const SHEETS = [
     "key": "lever",
     "scale": "mu_h",
     "isPlan": false,
+    "hasPlaces": false,
     "isUsual": false,
     "vector": ""
   }

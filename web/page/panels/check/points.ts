@@ -1,6 +1,6 @@
 import { element } from "../../dom/element.ts";
 import type { Form, PlanPoint } from "../../engine/types.ts";
-import { called, PLANS, scaleOf, type Sheet } from "../../sheets.ts";
+import { called, DRAWN_ON, scaleOf, type Sheet } from "../../sheets.ts";
 import { type FormFile, type Place, placesOf, withPlace } from "./form.ts";
 import { planSheet } from "./plan_sheet.ts";
 import { pointList } from "./point_list.ts";
@@ -12,7 +12,7 @@ type Change = (how: (file: FormFile) => FormFile, gesture: string) => void;
 export function pointsPart(change: Change, left: () => void, present: () => FormFile): { root: HTMLElement; build(form: Form): void; show(file: FormFile): void } {
   const root = element("details", { class: "points" });
   let points: Form["points"] = {};
-  let plan: Sheet = PLANS[0]!;
+  let plan: Sheet = DRAWN_ON[0]!;
   let chosen = "";
   /** What has been placed last, in words. */
   let placed = "";
@@ -95,15 +95,15 @@ export function pointsPart(change: Change, left: () => void, present: () => Form
     root,
     build(form) {
       points = form.points;
-      const present = PLANS.filter((sheet, index) => index === 0 || pointsOf(sheet).length > 1);
-      root.hidden = present.every((sheet) => pointsOf(sheet).length < 2);
+      const present = DRAWN_ON.filter((sheet) => pointsOf(sheet).length > 1);
+      root.hidden = present.length === 0;
       summary.textContent = say("by_points");
       intro.textContent = say("points_intro");
+      if (!present.includes(plan)) plan = present[0] ?? DRAWN_ON[0]!;
       choice.replaceChildren(
         element("legend", {}, say("plan")),
         ...present.map(planButton),
       );
-      if (!present.includes(plan)) plan = PLANS[0]!;
       chosen = next("");
       placed = "";
     },

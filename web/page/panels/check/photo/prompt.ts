@@ -1,7 +1,7 @@
 import { element } from "../../../dom/element.ts";
 import { shownNumber } from "../../../number.ts";
 import { language } from "../../../words.ts";
-import { called, PLANS } from "../../../sheets.ts";
+import { called, DRAWN_ON } from "../../../sheets.ts";
 import { keyOf } from "./placing.ts";
 import { plain } from "./points_bar.ts";
 import type { FormOf, Item, Session } from "./session.ts";
@@ -79,7 +79,7 @@ function finished(own: Session, form: FormOf, acts: Acts, note: string): Prompt 
   const here = new Set(own.photo.plans.map(({ plan }) => plan));
   const points = form.form()?.points;
   const marked = form.present().points;
-  const missing = PLANS.find((plan) => !here.has(plan) && (points?.[plan]?.length ?? 0) > 1 && marked?.[plan] === undefined);
+  const missing = DRAWN_ON.find((plan) => !here.has(plan) && (points?.[plan]?.length ?? 0) > 1 && marked?.[plan] === undefined);
   const further = missing === undefined ? [] : [button(say("other_plan", { plan: called(missing, "name") }), acts.another)];
   const html = say(states.includes("out") ? "none_left" : "all_marked");
   return { html, how: note !== "" ? note : counts.join(", "), actions: [...further, button(say("on_board"), acts.toBoard), button(say("see_check"), acts.toResult, true)] };

@@ -174,7 +174,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
 
   function moved(one: Item, at: Pixel): void {
     own?.move(one, at);
-    note(say("moved", { name: plain(one.label), x: millimetres(at[0]), y: millimetres(at[1]) }));
+    note(say("moved", { name: plain(one.label), x: millimetres(at[0]), y: millimetres(at[1]), origin: plain(one.plan.points[0]?.label ?? "") }));
     show();
   }
 
