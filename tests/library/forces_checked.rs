@@ -34,7 +34,7 @@ fn with_mass(scene: &mut Value, link: &str, mass: f64, inertia: f64, center: Val
     own["center"] = center;
 }
 
-/// The kinds of exercises with forces, each as a scene: one load on a dyad, inertia, a piston, a lever, groups of class III and IV.
+/// The kinds of exercises with forces, each as a scene: one load on a dyad, inertia, a piston, two groups, a shaper, a lever, groups of class III and IV.
 fn kinds() -> Vec<(&'static str, Value)> {
     let plan = &["scheme", "forces"][..];
     vec![
@@ -42,6 +42,7 @@ fn kinds() -> Vec<(&'static str, Value)> {
         ("inertia", inertia(plan)),
         ("piston", piston(plan)),
         ("two groups", two_groups(plan)),
+        ("shaper", shaper(plan)),
         ("lever", lever()),
         ("class III", third(plan)),
         ("class IV", fourth(plan)),
@@ -93,6 +94,17 @@ fn two_groups(panels: &[&str]) -> Value {
     scene["near"] = json!({ "C": [155, 110], "K": [175, 80], "E": [300, 60] });
     scene["forces"] = json!([{ "name": "P", "on": "5", "at": "E", "force": [-150, 0] }]);
     scene
+}
+
+fn shaper(panels: &[&str]) -> Value {
+    with_loads(
+        "whitworth",
+        |scene| {
+            scene["analysis"] = json!("static");
+            scene["forces"] = json!([{ "name": "P", "on": "5", "at": "F", "force": [-150, 0] }]);
+        },
+        panels,
+    )
 }
 
 fn lever() -> Value {
