@@ -102,7 +102,7 @@ impl Judged<'_> {
         let words = key.solution.wording();
         let line = marks.as_ref().map_or_else(String::new, |marks| marks.line(&words) + "\n");
         if HandDrawing::is_one(form) {
-            let (drawing, judge) = (HandDrawing::read(form)?, Judge::new(&key));
+            let (drawing, judge) = (HandDrawing::read(form)?, Judge::new(key));
             let judged = judge.judge(&drawing).map_err(|error| {
                 let why = words.language.says(&error.message);
                 Refused::new("KinegonError", format!("did.{}: {why}", error.entry), None)
@@ -116,8 +116,8 @@ impl Judged<'_> {
             }
             return Ok((json_line(&file), report, is_passed));
         }
-        let mut result = check_result(&checked, &key, measured.name.clone());
-        result.marks = marks;
-        Ok((json_line(&result), report(&checked, &key) + &line, checked.is_passed()))
+        let mut result = check_result(checked, key, measured.name.clone());
+        result.marks = *marks;
+        Ok((json_line(&result), report(checked, key) + &line, checked.is_passed()))
     }
 }
