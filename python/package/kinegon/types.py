@@ -193,6 +193,23 @@ class Slider(TypedDict):
     """For people; ignored"""
 
 
+class Gear(TypedDict):
+    """Two wheels that mesh: their pitch circles roll on each other without slip."""
+
+    mesh: Sequence[str]
+    """The two wheels: links, or "ground" for a wheel that is fixed to the frame."""
+    teeth: Sequence[float]
+    """Their numbers of teeth, in the same order; that of a ring with inner teeth is negative. Wheels that only roll have whole numbers in the ratio of their radii."""
+    on: str
+    """The carrier on whose pins both turn: a link (the arm of a planetary train), or "ground"."""
+    phase: NotRequired[float]
+    """The angle of the second wheel's axis when that of the first stands at 0, both from the carrier's axis, in degrees; left out: 0. Not in a drawn configuration."""
+    pressure: NotRequired[float]
+    """The pressure angle in degrees, with which the teeth push each other apart; left out: 0, only the tangential force counts."""
+    note: NotRequired[object]
+    """For people; ignored"""
+
+
 #: A place and the factor there
 TableLine = Sequence[float]
 
@@ -413,6 +430,8 @@ class SceneFile(_SceneFileKeys):
     """The links by name. A point named in two links is a revolute joint between them."""
     sliders: NotRequired[Sequence[Slider]]
     """Links that slide along straight guides, and pins that ride in slots."""
+    gears: NotRequired[Sequence[Gear]]
+    """Pairs of wheels that mesh."""
     gravity: NotRequired[Vector]
     """The acceleration of free fall, in length per time²; left out: zero."""
     forces: NotRequired[Sequence[Load]]

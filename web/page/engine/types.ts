@@ -270,6 +270,10 @@ export type SceneLinkPlace = string | SceneVector | number;
  */
 export type SceneDirection = string | number | SceneVector;
 /**
+ * Lines, or the path of a CSV file that the program reads
+ */
+export type SceneLoadTable = SceneTableLine[] | string;
+/**
  * A place and the factor there
  *
  * @minItems 2
@@ -2247,6 +2251,10 @@ export interface SceneFile {
    */
   sliders?: SceneSlider[];
   /**
+   * Pairs of wheels that mesh.
+   */
+  gears?: SceneGear[];
+  /**
    * The acceleration of free fall, in length per time²; left out: zero.
    */
   gravity?: SceneVector;
@@ -2506,6 +2514,39 @@ export interface SceneSliderDrive {
   acceleration?: number;
 }
 /**
+ * Two wheels that mesh: their pitch circles roll on each other without slip.
+ */
+export interface SceneGear {
+  /**
+   * The two wheels: links, or "ground" for a wheel that is fixed to the frame.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  mesh: [string, string];
+  /**
+   * Their numbers of teeth, in the same order; that of a ring with inner teeth is negative. Wheels that only roll have whole numbers in
+   * the ratio of their radii.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  teeth: [number, number];
+  /**
+   * The carrier on whose pins both turn: a link (the arm of a planetary train), or "ground".
+   */
+  on: string;
+  /**
+   * The angle of the second wheel's axis when that of the first stands at 0, both from the carrier's axis, in degrees; left out: 0.
+   * Not in a drawn configuration.
+   */
+  phase?: number;
+  /**
+   * The pressure angle in degrees, with which the teeth push each other apart; left out: 0, only the tangential force counts.
+   */
+  pressure?: number;
+}
+/**
  * A force or a couple on a link, in the file.
  */
 export interface SceneLoad {
@@ -2547,9 +2588,9 @@ export interface SceneOver {
    */
   of: string;
   /**
-   * Pairs: an angle in degrees or a position, and how many times the given force and couple act there.
+   * Pairs: an angle in degrees or a position, and how many times the given force and couple act there; or a file with them.
    */
-  table: SceneTableLine[];
+  table: SceneLoadTable;
 }
 /**
  * A spring between two places, in the file.
