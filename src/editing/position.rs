@@ -15,6 +15,12 @@ use crate::scene::{GivenBy, QuantityName, Scene, SceneError};
 /// Numbers of further decimals of a drive that are tried, where rounding moves points too far or beyond a limit.
 const FURTHER: [i32; 5] = [0, 1, 2, 4, 8];
 
+/// Whole turns of a drive that are tried where wheels mesh: a pose does not say how often they have gone round, but where they stand depends on it.
+const TURNS: [f64; 25] = [
+    0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0, 5.0, -5.0, 6.0, -6.0, 7.0, -7.0, 8.0, -8.0, 9.0, -9.0, 10.0,
+    -10.0, 11.0, -11.0, 12.0, -12.0,
+];
+
 /// The text with its drives where they stand in `now`, a position of the mechanism of the text, and in that assembly.
 ///
 /// Angles are rounded to 0.1°, positions of sliders to about four digits; to more where that would move a point visibly. Where
@@ -30,9 +36,12 @@ pub fn with_position(text: &str, now: &Pose) -> Result<String, SceneError> {
     }
     let values = Stand::all(&document.json(), &before.mechanism, now);
     let mut failure = None;
-    for further in FURTHER {
+    let turns = if before.mechanism.has_wheels() { &TURNS[..] } else { &[0.0] };
+    for (further, turns) in FURTHER.into_iter().flat_map(|further| turns.iter().map(move |turns| (further, turns))) {
         let mut trial = document.clone();
-        let rounded = values.iter().map(|stand| (stand.path.clone(), stand.decimals.finer(further).json(stand.value)));
+        let value = |stand: &Stand| stand.decimals.finer(further).json(stand.value + stand.turn * turns);
+        let changed = values.iter().filter(|stand| stand.is_new || *turns != 0.0);
+        let rounded = changed.map(|stand| (stand.path.clone(), value(stand)));
         trial.set_all(&rounded.collect::<Vec<_>>())?;
         match settle(&mut trial, now) {
             Ok(solved) if distance(now, &solved.pose) <= MOVED => return Ok(trial.text()),
@@ -66,6 +75,10 @@ pub fn with_mode(text: &str, number: usize) -> Result<String, SceneError> {
 struct Stand {
     path: Vec<String>,
     value: f64,
+    /// What may be added to it any number of times: a whole turn of an angle.
+    turn: f64,
+    /// Whether it stands otherwise now, but for whole turns.
+    is_new: bool,
     decimals: Decimals,
 }
 
@@ -75,21 +88,27 @@ impl Stand {
         let is_driven = |id: &BodyId| matches!(mechanism.body(*id).role, Role::Driver { .. });
         let placing = mechanism.placing.iter().map(|placing| placing.link);
         let turned = mechanism.links().map(|(id, _)| id).filter(is_driven).chain(placing);
-        let turned =
-            turned.filter_map(|id| Stand::turned(scene, &mechanism.body(id).name, degrees_of((*now.axes.get(id.0)?)?)));
+        let has_wheels = mechanism.has_wheels();
+        let turned = turned.filter_map(|id| {
+            Stand::turned(scene, &mechanism.body(id).name, degrees_of((*now.axes.get(id.0)?)?), has_wheels)
+        });
         let pushed = mechanism.sliders.iter().enumerate().filter(|(_, slider)| slider.drive.is_some());
         let pushed = pushed.filter_map(|(index, _)| Stand::pushed(scene, index, (*now.slides.get(index)?)?, now));
         turned.chain(pushed).collect()
     }
 
-    /// A link at that angle, in degrees.
-    fn turned(scene: &Json, link: &str, degrees: f64) -> Option<Stand> {
+    /// A link at that angle, in degrees; where whole turns count, even if it stands so but for these.
+    fn turned(scene: &Json, link: &str, degrees: f64, turns_count: bool) -> Option<Stand> {
         let path = turning(scene, link)?;
         let old = number_at(scene, &path)?;
         // People who write no negative angles get none.
-        let value = if old >= 0.0 { degrees.rem_euclid(360.0) } else { degrees };
+        let value = match (turns_count, old >= 0.0) {
+            (true, _) => with_turns(degrees, old),
+            (false, true) => degrees.rem_euclid(360.0),
+            (false, false) => degrees,
+        };
         let is_new = (with_turns(degrees, old) - old).abs() > STANDS;
-        is_new.then_some(Stand { path, value, decimals: ANGLE })
+        (is_new || turns_count).then_some(Stand { path, value, turn: 360.0, is_new, decimals: ANGLE })
     }
 
     /// The slider of that index at that position.
@@ -99,7 +118,7 @@ impl Stand {
         let is_new = (value - number_at(scene, &path)?).abs() > STANDS * size;
         // About four digits.
         let decimals = Decimals::of_size(value.abs().clamp(0.1 * size, size));
-        is_new.then_some(Stand { path, value, decimals })
+        is_new.then_some(Stand { path, value, turn: 0.0, is_new, decimals })
     }
 }
 

@@ -27,7 +27,7 @@ impl Frames {
             _ => None,
         };
         let settled = mechanism.bodies.iter().map(given_frame).collect();
-        let has_wheels = mechanism.joints.iter().any(|joint| joint.pitch.is_some());
+        let has_wheels = mechanism.has_wheels();
         let angle = |body: BodyId| match mechanism.body(body).role {
             Role::Driver { angle: Some(angle), .. } if has_wheels => Some((body, angle)),
             _ => None,

@@ -201,6 +201,10 @@ fn see_scene(name: &str, text: &str, turn: f64, dice: &mut Random, seen: &mut Se
         seen.refused += 1;
         return;
     };
+    // The truth has pins and guides alone; `gears` holds the bounds of wheels to its own.
+    if mechanism.joints.iter().any(|joint| joint.pitch.is_some()) {
+        return;
+    }
     for body in &mut mechanism.bodies {
         if let Role::Driver { angle, omega, alpha, .. } = &mut body.role {
             *angle = angle.map(|a| a + dice.within(turn));

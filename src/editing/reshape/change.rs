@@ -10,6 +10,9 @@ use crate::position::Pose;
 use crate::scene::{Along, GivenBy, Length, Link, On, Shape, Slider};
 use serde_json::Value as Json;
 
+/// Decimals of a phase, which wheels of many teeth multiply.
+const PHASE: Decimals = Decimals(4);
+
 /// The numbers of a scene's text that change with the place of a point.
 pub(super) struct Change<'a> {
     pub solved: &'a Solved,
@@ -39,6 +42,7 @@ impl Change<'_> {
             self.add_links();
             self.add_guides();
             self.add_levers();
+            self.add_wheels();
         }
     }
 
@@ -211,6 +215,36 @@ impl Change<'_> {
                 }
             }
         }
+    }
+
+    /// Phases of wheels that turn with their points, or whose carriers do: the other wheels stay as they are.
+    fn add_wheels(&mut self) {
+        let gears = &self.solved.scene.gears;
+        for (index, gear) in gears.iter().enumerate() {
+            let [first, second] = gear.teeth.map(f64::from);
+            let [turned, other] = [&gear.wheels[0], &gear.wheels[1]].map(|wheel| self.turned(wheel));
+            let turned = (first * turned + second * other - (first + second) * self.turned(&gear.on)) / second;
+            let phase = PHASE.round(gear.phase_deg + turned);
+            if (phase - gear.phase_deg).abs() > PHASE.step() {
+                self.put(&["gears", &index.to_string(), "phase"], json(phase));
+            }
+        }
+    }
+
+    /// By how many degrees a body has turned.
+    fn turned(&self, body: &On) -> f64 {
+        let On::Link(name) = body else { return 0.0 };
+        let drive = turning(self.json, name).and_then(|path| {
+            let new = self.values.iter().rev().find(|(own, _)| *own == path)?.1.as_f64()?;
+            Some(new - number_at(self.json, &path)?)
+        });
+        let of_points = || {
+            let [a, b] = self.solved.scene.links.get(name)?.points.get(..2)? else { return None };
+            let [a, b] = [self.solved.mechanism.point(a)?, self.solved.mechanism.point(b)?];
+            let [old, new] = [&self.solved.pose, self.pose].map(|pose| degrees_of(pose.arm(a, b)));
+            Some(with_turns(new - old, 0.0))
+        };
+        drive.or_else(of_points).unwrap_or(0.0)
     }
 
     /// Rough places and angles of levers that turn.

@@ -159,6 +159,11 @@ impl Joint {
 }
 
 impl Mechanism {
+    /// Whether wheels mesh: where they stand depends on the whole turns of drives.
+    pub(crate) fn has_wheels(&self) -> bool {
+        self.joints.iter().any(|joint| joint.pitch.is_some())
+    }
+
     /// The joint of that index.
     #[must_use]
     pub fn joint(&self, id: JointId) -> &Joint {
