@@ -47,12 +47,12 @@ const KINDS: [(&str, &str, &str); 21] = [
     ),
     (
         "geared-five-bar",
-        "templates/geared-five-bar.json",
+        "tests/lecture/geared.json",
         "Two cranks on wheels that mesh: the second turns half as fast, the other way, and a dyad adds both.",
     ),
     (
         "planetary",
-        "templates/planetary.json",
+        "tests/lecture/planetary.json",
         "The sun drives a planet that rolls in the fixed ring; arm and planet follow from both meshes.",
     ),
     (

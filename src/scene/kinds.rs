@@ -33,8 +33,6 @@ templates! {
     "hydraulic-boom" in "templates" as "hydraulic-boom",
     "watt-1" in "templates" as "watt-1",
     "stephenson-3" in "templates" as "stephenson-3",
-    "geared-five-bar" in "templates" as "geared-five-bar",
-    "planetary" in "templates" as "planetary",
     "five-bar" in "templates" as "five-bar",
     "third-class" in "templates" as "third-class",
     "fourth-class" in "templates" as "fourth-class",

@@ -14,11 +14,10 @@ use support::files;
 use support::random::Random;
 use support::stages::solved;
 
-/// Every starting scene and the examples whose plans are drawn by rays: those of wheels on a moving arm are laid off from the meshes' equations.
+/// Every starting scene and the examples.
 fn scenes() -> Vec<(String, String)> {
     let mut scenes = files::templates();
     scenes.extend(files::scenes("examples"));
-    scenes.retain(|(name, _)| name != "planetary");
     scenes
 }
 

@@ -23,9 +23,6 @@ const ORDER_WITHIN: f64 = 0.2;
 /// Kinds whose numbers are compared with the truth.
 const WITH_TRUTH: usize = 12;
 
-/// Kinds that move: those, and those with wheels, which `gears` holds to closed forms.
-const MOVING: usize = WITH_TRUTH + 2;
-
 /// The true numbers of a template, where there are some.
 fn truth(name: &str) -> Option<Value> {
     let path = path(&format!("tests/templates/{name}.expect.json"));
@@ -221,5 +218,5 @@ fn rates_are_derivatives_of_positions() {
             }
         }
     }
-    assert_eq!(seen, MOVING);
+    assert_eq!(seen, WITH_TRUTH);
 }

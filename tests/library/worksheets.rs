@@ -174,8 +174,7 @@ fn nothing_overlaps_on_any_page() {
                 for (number, sheet) in sheets.iter().enumerate() {
                     let found = faults(sheet);
                     wrong.extend(found.iter().map(|fault| format!("{name} on {page}, sheet {number}: {fault}")));
-                    // Of a train nothing is measured: its rates come from the numbers of teeth.
-                    let has_table = number + 1 == sheets.len() && name != "planetary";
+                    let has_table = number + 1 == sheets.len();
                     let legend = usize::from(number == 0);
                     assert_eq!(panels(sheet).len(), sheet.panels.len() + legend + usize::from(has_table), "{name}");
                     assert_eq!(!sheet.panels.is_empty(), number == 0, "{name} on {page}");

@@ -7,7 +7,7 @@ type Group = "groups_bars" | "groups_more" | "groups_drives" | "groups_class" | 
 /** The starting scenes by group. */
 export const GROUPS: Record<Group, string[]> = {
   groups_bars: ["four-bar", "slider-crank", "slotted-lever", "hydraulic-boom"],
-  groups_more: ["watt-1", "stephenson-3", "whitworth", "toggle-press", "geared-five-bar", "planetary"],
+  groups_more: ["watt-1", "stephenson-3", "whitworth", "toggle-press"],
   groups_drives: ["five-bar", "platform-3rrr"],
   groups_class: ["third-class", "fourth-class"],
   groups_paper: ["paper-figure-1", "paper-figure-2"],
