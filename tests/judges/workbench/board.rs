@@ -429,6 +429,8 @@ fn instant_centre_by(name: &str, size: [u32; 2], is_finger: bool) {
     hand.at("centers", "B");
     hand.tool("line");
     hand.at("scheme", "3/ground");
+    // The guide and the rod meet at the block's pin.
+    hand.chip("guide 3/ground");
     hand.at("centers", "C");
     hand.tool("cross");
     let at_crossing = crossing_on(hand.bench, "centers");

@@ -41,7 +41,7 @@ function builds(app: App): { show(is: boolean): void } {
   const own = model(app);
   const told = judging(app, own);
   const stages = ALL.map((sheet) => stage(app, own, told, sheet));
-  const back = (): void => (stages.find(({ sheet }) => sheet === own.alone.value) ?? stages[1])?.over.focus({ preventScroll: true });
+  const back = (): void => stages.find(({ sheet }) => sheet === (own.alone.value || own.drawnOn()))?.over.focus({ preventScroll: true });
   const below = strip(own, back);
   const sheets = element("div", { class: "sheets" }, ...stages.map(({ root }) => root));
   const drawer = element("div", { class: "drawer" }, classList(app, own), list(own, told));
@@ -53,7 +53,8 @@ function builds(app: App): { show(is: boolean): void } {
   keys(app, own, stages, below.focusWritten);
   const arrange = (): void => arranged(own, stages, sheets);
   own.alone.on(arrange);
-  own.known.on(() => {
+  own.known.on((known) => {
+    if (own.alone.value !== "" && known !== null && !known.sheets.some(({ sheet }) => sheet === own.alone.value)) own.alone.set(own.drawnOn());
     arrange();
     // The sheets are there now, and have the keys.
     if (!root.hidden && !root.contains(document.activeElement)) back();
