@@ -102,7 +102,7 @@ fn texts_are_read_as_they_are() {
         .collect();
     let all = scenes.len() * SURFACES.len() * words.len();
     // Not so many that the same few scenes come up again and again.
-    let every = LEGIBLE.now() + usize::from(scenes.len() % LEGIBLE.now() == 0 && LEGIBLE.now() > 1);
+    let every = LEGIBLE.now() + usize::from(LEGIBLE.now() > 1 && scenes.len().is_multiple_of(LEGIBLE.now()));
     let counts = on_all_cores((all / every) as u64, |number, count: &mut Count| {
         let case = number as usize * every;
         let (name, text) = &scenes[case % scenes.len()];
