@@ -47,12 +47,12 @@ const KINDS: [(&str, &str, &str); 21] = [
     ),
     (
         "geared-five-bar",
-        "tests/lecture/geared.json",
+        "tests/gears/geared-five-bar.json",
         "Two cranks on wheels that mesh: the second turns half as fast, the other way, and a dyad adds both.",
     ),
     (
         "planetary",
-        "tests/lecture/planetary.json",
+        "tests/gears/planetary.json",
         "The sun drives a planet that rolls in the fixed ring; arm and planet follow from both meshes.",
     ),
     (
