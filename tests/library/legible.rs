@@ -101,8 +101,7 @@ fn texts_are_read_as_they_are() {
         .flat_map(|notation| LanguageName::ALL.map(|language| (notation, language)))
         .collect();
     let all = scenes.len() * SURFACES.len() * words.len();
-    // Not so many that the same few scenes come up again and again.
-    let every = LEGIBLE.now() + usize::from(LEGIBLE.now() > 1 && scenes.len().is_multiple_of(LEGIBLE.now()));
+    let every = LEGIBLE.now();
     let counts = on_all_cores((all / every) as u64, |number, count: &mut Count| {
         let case = number as usize * every;
         let (name, text) = &scenes[case % scenes.len()];
