@@ -19,7 +19,6 @@ use crate::sheet::Order;
 use crate::words::Wording;
 use clap::Args;
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 const AFTER_HELP: &str = "\
@@ -331,9 +330,8 @@ impl Check {
 
 /// The solution with the instant centres that any of these forms names; none where the figure has them, or no form names one.
 fn with_centers(solution: &Solution, forms: &[Form]) -> Option<Solution> {
-    let names_center = |form: &&Form| fs::read(&form.path).is_ok_and(|text| text.windows(2).any(|two| two == b"P("));
-    let named = || forms.iter().filter(names_center).filter_map(|form| measured(&form.path).ok());
-    let values = || named().flat_map(|measured| measured.values).collect();
+    let understood = || forms.iter().filter_map(|form| measured(&form.path).ok());
+    let values = || understood().flat_map(|measured| measured.values).collect();
     solution
         .construction
         .centers
