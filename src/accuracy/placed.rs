@@ -336,7 +336,7 @@ impl<'a> Finder<'a> {
             for &(body, weight) in &angular.terms {
                 let turn = self.turns[body.0].or(self.frames[body.0].map(|f| f.turn))?;
                 let back = if weight > 0 { turn.reversed() } else { turn };
-                left = (0..weight.unsigned_abs()).fold(left, |left, _| left.turn(back));
+                left = left.turn(back.times(weight.unsigned_abs()));
             }
             // The angle's sine, as large as the angle up to its third power.
             gaps.push(if left.x.high < 0.0 { Ball { radius: f64::INFINITY, ..left.y } } else { left.y });

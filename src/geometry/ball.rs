@@ -326,6 +326,21 @@ impl Pair<Ball> {
         Pair { x: self.x, y: -self.y }
     }
 
+    /// The turn by so many times the angle, for cosine and sine of an angle. It is doubled again and again: to turn by the angle itself
+    /// each time would multiply the error by √2 each time.
+    #[must_use]
+    pub fn times(self, times: u32) -> Self {
+        let (mut whole, mut doubled, mut left) = (Pair { x: Ball::from(1.0), y: Ball::default() }, self, times);
+        while left > 0 {
+            if left % 2 == 1 {
+                whole = whole.turn(doubled);
+            }
+            doubled = doubled.turn(doubled);
+            left /= 2;
+        }
+        whole
+    }
+
     /// Adds `error` to the radius of both components.
     #[must_use]
     pub fn widened(self, error: f64) -> Self {

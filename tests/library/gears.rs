@@ -132,6 +132,24 @@ fn planetary_trains_keep_to_willis_formula() {
     }
 }
 
+/// Ratios of large numbers that are no simpler in lowest terms: bounds of a wheel's angle grow with the teeth and not as a power of 2 by each.
+/// The true angles are decimals.
+#[test]
+fn many_teeth_have_close_bounds() {
+    for (teeth, truth) in
+        [([199, 200], -37.3125), ([499, 500], -37.425), ([4999, 5000], -37.4925), ([9999, 10_000], -37.496_25)]
+    {
+        let scene = json!({ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "B": [50, 0] },
+            "links": { "1": { "points": ["A"], "drive": { "angle": 37.5, "omega": 1 } }, "2": { "points": ["B", "Q"], "lengths": { "BQ": 20 } } },
+            "gears": [ { "mesh": ["1", "2"], "teeth": teeth, "on": "ground" } ] });
+        let result = serde_json::to_value(solution(&scene).result()).expect("a result is JSON");
+        let own = &result["links"]["2"];
+        let stated = own["angle_error"].as_f64().unwrap_or(f64::INFINITY);
+        let off = minus(own["angle"].as_f64().expect("an angle"), decimal(&json!(truth))).abs();
+        assert!(stated < 2e-13 && !exceeds(off, stated), "{teeth:?}: off by {off:e}, stated {stated:e}");
+    }
+}
+
 /// Wheels one after the other on a driven arm: each turns from its arm z₁/z₂ times as much as the one before, the other way, from its phase.
 #[test]
 fn trains_count_whole_turns() {
