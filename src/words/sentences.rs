@@ -87,6 +87,13 @@ sentences! {
     lay_off_normal_part(line, centre, from, to);
     lay_off_normal_parts(line, from, to);
     solve(unknowns);
+    solve_wheel(unknowns);
+    solve_wheel_with_mesh(unknowns);
+    solve_meshes(unknowns);
+    solve_meshes_accelerated(unknowns);
+    pitch_at_rest(image, with);
+    lay_off_pitch(link, point, from, arm);
+    lay_off_pitch_turned(link, point, from, arm);
     no_construction;
     no_construction_far(points);
     lay_off_relative(link, point, from, arm);
