@@ -1,12 +1,13 @@
 use super::cut::{Special, SpecialId};
 use super::kennedy::{Center, CenterId, Centers};
 use super::lever::Lever;
+use super::name::image_name;
 use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{Along, LineId, Operation, PlaceId, StepId};
 use super::polygon::ForcePlan;
-use super::train::pitch_points;
 use super::run::{Disturbance, Values};
 use super::step::{Action, Arrow, NumberedStep, Plan, Ray, VectorOf};
+use super::train::pitch_points;
 use crate::geometry::{Ball, Point};
 use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
 use crate::scene::TurnedName;
@@ -248,6 +249,17 @@ impl Construction {
     /// Whether that is the name of a pitch point.
     pub(super) fn is_pitch_point(&self, name: &str) -> bool {
         self.pitch_points.values().any(|own| own == name)
+    }
+
+    /// Whether that is the image of a pitch point.
+    pub(crate) fn is_pitch_image(&self, name: &str) -> bool {
+        self.pitch_points.values().any(|own| image_name(own) == name)
+    }
+
+    /// The distance of two joints, where an operation uses it.
+    pub(crate) fn length_of(&self, [a, b]: [PointId; 2]) -> Option<NumberId> {
+        let lengths = &self.record.lengths;
+        lengths.get(&[a, b]).or_else(|| lengths.get(&[b, a])).copied()
     }
 
     /// An instant centre.

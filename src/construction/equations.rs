@@ -181,8 +181,7 @@ impl Teller<'_> {
         }
         let sum: i32 = pitch.all_teeth.iter().sum();
         let minus = if sum < 0 { "−" } else { "" };
-        let right =
-            if carrier == GROUND { "0".to_owned() } else { format!("{minus}{} {}", sum.abs(), term(carrier)) };
+        let right = if carrier == GROUND { "0".to_owned() } else { format!("{minus}{} {}", sum.abs(), term(carrier)) };
         format!("{left} = {right}")
     }
 

@@ -6,7 +6,9 @@ use super::markup::{Formula, Known, marked, measured, no_construction, rate_symb
 use super::name::{coincident_name, image_name, point_on};
 use super::number::Rate;
 use super::solution::Solution;
-use super::step::{Action, Arrow, NumberedStep, Plan, PointRole, RateEquation, Ray, RayOf, Relation, VectorOf, VectorPart};
+use super::step::{
+    Action, Arrow, NumberedStep, Plan, PointRole, RateEquation, Ray, RayOf, Relation, VectorOf, VectorPart,
+};
 use crate::geometry::{Place, degrees_of};
 use crate::mechanism::{BodyId, DrivenSlide, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;

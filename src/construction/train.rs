@@ -52,13 +52,7 @@ impl Rim {
         let (own, pitch) = (mechanism.joint(joint), mechanism.joint(joint).pitch?);
         let side = own.bodies.iter().position(|body| *body == wheel)?;
         let sum = pitch.teeth[0] + pitch.teeth[1];
-        Some(Rim {
-            joint,
-            center: pitch.centers[side],
-            other: pitch.centers[1 - side],
-            teeth: pitch.teeth[side],
-            sum,
-        })
+        Some(Rim { joint, center: pitch.centers[side], other: pitch.centers[1 - side], teeth: pitch.teeth[side], sum })
     }
 
     /// Where the pitch point lies from the wheel's centre: +1 towards the other centre, −1 away from it.
@@ -76,7 +70,8 @@ pub(super) fn pitch_points(mechanism: &Mechanism) -> impl Iterator<Item = (Joint
 /// The name of the pitch point of a mesh by its wheels, as P23, the frame's being 0; of wheels with longer names by the number of the mesh.
 fn pitch_name(mechanism: &Mechanism, joint: JointId) -> String {
     let name = |body: BodyId| if body == GROUND { "0" } else { mechanism.body(body).name.as_str() };
-    let wheels = mechanism.joint(joint).bodies.map(name);
+    let mut wheels = mechanism.joint(joint).bodies.map(name);
+    wheels.sort_unstable_by_key(|name| (*name == "0", *name));
     let is_pitch = |id: &usize| mechanism.joints[*id].pitch.is_some();
     let mut told = match wheels.iter().all(|name| name.chars().count() == 1) {
         true => format!("P{}", wheels.concat()),
@@ -120,8 +115,7 @@ impl Writer<'_> {
         loop {
             let left = group.links.iter().filter(|body| !is_found(&found, **body));
             let next = left.clone().find_map(|&wheel| {
-                let known =
-                    |body: BodyId| is_found(&found, body) || self.construction.angular_rates[body.0].is_some();
+                let known = |body: BodyId| is_found(&found, body) || self.construction.angular_rates[body.0].is_some();
                 let spots = self.two_spots(wheel, &known)?;
                 Some(Turned { wheel, spots })
             });
@@ -158,9 +152,8 @@ impl Writer<'_> {
         let (mechanism, pose) = (self.mechanism, self.pose);
         let rim = |joint| Rim::of(mechanism, joint, wheel);
         let is_one = |a: PointId, b: PointId| pose.arm(a, b).norm() <= self.near;
-        let from_center = |rim: &Rim| {
-            pose.arm(rim.center, rim.other).norm() * f64::from(rim.teeth) / f64::from(rim.sum)
-        };
+        let from_center =
+            |rim: &Rim| pose.arm(rim.center, rim.other).norm() * f64::from(rim.teeth) / f64::from(rim.sum);
         let (line, distance) = match ends {
             [At::Pin(a), At::Pin(b)] => ([a, b], pose.arm(a, b).norm()),
             [At::Pin(center), At::Pitch(joint)] => {

@@ -301,7 +301,8 @@ impl Writer<'_> {
 
     /// The equations of the step, at least two in a line, and their solution.
     fn solution(&mut self, equations: &[RateEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
-        let set = |equation: &RateEquation| self.pieces(&self.context.teller().equation(equation), plan, RichText::math);
+        let set =
+            |equation: &RateEquation| self.pieces(&self.context.teller().equation(equation), plan, RichText::math);
         let written: Vec<Vec<RichText>> = equations.iter().map(set).collect();
         let widest = written.iter().map(|pieces| width_of(pieces, EQUATION)).fold(0.0, f64::max);
         let fitting = (self.area.width() / (widest + BETWEEN)) as usize;

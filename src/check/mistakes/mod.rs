@@ -19,6 +19,7 @@ mod site;
 mod told;
 mod unknown;
 mod vectors;
+mod wheels;
 
 pub(super) use beside::measured_there;
 use catalogue::catalogue;

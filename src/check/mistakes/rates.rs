@@ -4,6 +4,7 @@ use super::lengths::{Length, lengths};
 use super::site::{Candidate, Reinterpretation, Site, Term, times};
 use super::told::{Blank, Mistake, Told, tell};
 use super::vectors::OfTerm;
+use super::wheels;
 use crate::check::entry::Entry;
 use crate::construction::{Change, Disturbance, MeasuredAs, NumberId, NumberKind, OperationKind, ProductKind, Rate};
 use crate::quantity::{QuantityKind, What};
@@ -24,8 +25,12 @@ fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)
 
 /// A rate taken with the wrong sense: in all that follows, or only as it is written.
 pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
+    // `wheels::sense` has those of wheels.
+    let of_wheels = wheels::reversed(site);
     // `centers::sense_by_center` has those by centres.
-    let of_plans = rates(site).filter(|(_, number, _)| matches!(site.number_kind(*number), NumberKind::Rate(_)));
+    let of_plans = rates(site).filter(|(_, number, _)| {
+        matches!(site.number_kind(*number), NumberKind::Rate(_)) && !of_wheels.contains(number)
+    });
     let taken = of_plans.filter_map(|(operation, number, _)| {
         let mut candidate = site.candidate(tell::wrong_sense(as_asked(site, number)), times(operation, number, -1.0));
         if site.is_given(number) {
@@ -53,6 +58,7 @@ pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
     for (index, entry) in site.entries.iter().enumerate() {
         let reading = site.model.readings[index].ok();
         let number = reading.map(|reading| reading.number).filter(|number| site.model.used[number.0]);
+        let number = number.filter(|number| !of_wheels.contains(number));
         let is_rate = number.is_some_and(|number| matches!(site.number_kind(number), NumberKind::Rate(_)));
         if is_rate && !entry.is_magnitude {
             found.push(only_written(site, tell::wrong_sense(entry_symbol(entry)), &[index], -1.0));
