@@ -6,7 +6,7 @@ use super::lever::{Lever, LeverStep};
 use super::polygon::{ForcePlan, ForceStep};
 use crate::centers::LinkPair;
 use crate::geometry::Vector;
-use crate::mechanism::{BodyId, DrivenSlide, JointId, PointId, SliderId};
+use crate::mechanism::{BodyId, DrivenSlide, GROUND, JointId, PointId, SliderId};
 use crate::sheet::{Order, Sheet};
 use crate::words::{Notation, with_prime};
 use indexmap::IndexMap;
@@ -212,6 +212,8 @@ impl NumberedStep<'_> {
                 let (LeverStep::Turn(index) | LeverStep::Arm(index, _) | LeverStep::Effort(index)) = *step;
                 self.levers.get(index).map_or_else(Vec::new, |lever| lever.names(*step))
             }
+            // At the pole there is nothing to be measured.
+            Action::Coincide { link: GROUND, .. } => Vec::new(),
             action => {
                 let image = self.plan.zip(action.image());
                 image.map(|(plan, point)| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()

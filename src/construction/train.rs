@@ -141,7 +141,8 @@ impl Writer<'_> {
                 spots.push(Spot { at, by });
             }
         }
-        spots.sort_by_key(|spot| matches!(spot.at, At::Pitch(_)));
+        // What rests goes first.
+        spots.sort_by_key(|spot| (matches!(spot.at, At::Pitch(_)), spot.by != GROUND));
         let pairs = spots.iter().enumerate().flat_map(|(i, &a)| spots[i + 1..].iter().map(move |&b| [a, b]));
         pairs.into_iter().find(|pair| self.distance_on(wheel, pair.map(|spot| spot.at)).is_some())
     }
@@ -196,7 +197,8 @@ impl Writer<'_> {
             self.construction.set_rate(Rate::Angular(order, link), numbers[0]);
         }
         let names = spots.map(|spot| self.spot_name(wheel, spot.at));
-        let own = WheelEquation { link: wheel, ends: names, from, to, segment: value * distance.signum() };
+        let own =
+            WheelEquation { link: wheel, ends: names, from: from.clone(), to, segment: value * distance.signum() };
         let mut told = vec![RateEquation::Wheel(own)];
         told.extend(self.meshes_told_with(wheel).map(|joint| RateEquation::Mesh(order, joint)));
         let value = self.motion.body(wheel).omega;
@@ -207,7 +209,7 @@ impl Writer<'_> {
             }
         }
         if let [At::Pitch(joint), At::Pitch(_)] = spots.map(|spot| spot.at) {
-            self.lay_off_center(wheel, joint, start);
+            self.lay_off_center(wheel, joint, (from, start));
         }
         Some(())
     }
@@ -246,14 +248,15 @@ impl Writer<'_> {
         let name = self.construction.pitch_name(joint).to_owned();
         let image = image_name(&name);
         if let Some(place) = self.construction.place(order, &image) {
-            return Some((image, place));
+            let pole = self.pole_of(order).filter(|pole| *pole == place);
+            return Some((pole.map_or(image, |_| order.pole().to_owned()), place));
         }
         if wheel == GROUND {
             let (step, pole) = (self.begin(order), self.pole_of(order)?);
             self.show(order, &image, pole, PointRole::Pole);
             let with = order.pole().to_owned();
             self.finish(step, Action::Coincide { point: image.clone(), with, link: wheel });
-            return Some((image, pole));
+            return Some((order.pole().to_owned(), pole));
         }
         let rim = Rim::of(self.mechanism, joint, wheel)?;
         let carrier = self.mechanism.joint(joint).related_bodies().nth(2)?;
@@ -279,12 +282,12 @@ impl Writer<'_> {
     }
 
     /// Lays off the velocity of a wheel's centre from the image of its pitch point.
-    fn lay_off_center(&mut self, wheel: BodyId, joint: JointId, start: PlaceId) -> Option<()> {
+    fn lay_off_center(&mut self, wheel: BodyId, joint: JointId, (at, start): (String, PlaceId)) -> Option<()> {
         let order = Order::Velocity;
         let rim = Rim::of(self.mechanism, joint, wheel)?;
         let from = self.construction.pitch_name(joint).to_owned();
         let center = self.mechanism.point_name(rim.center).to_owned();
-        let (image, at) = (image_name(&center), image_name(&from));
+        let image = image_name(&center);
         let of = VectorOf::Relative { link: wheel, from, to: center, part: VectorPart::Relative };
         let (omega, radius) = (self.construction.angular_rates[wheel.0]?[order]?, self.radius(&rim)?);
         let along = Along::line(self.join(rim.center, rim.other)).turned(1);

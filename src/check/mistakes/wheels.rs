@@ -4,7 +4,8 @@
 use super::by_centers;
 use super::site::{Candidate, Site, instead, times};
 use super::told::{Blank, Told, tell};
-use crate::construction::{Disturbance, Equation, NumberId, OperationKind, Product, ProductKind};
+use crate::construction::{Change, Disturbance, Equation, NumberId, OperationKind, Product, ProductKind, image_name};
+use crate::geometry::quarter_turn;
 use crate::mechanism::{AngularRate, BodyId, GROUND, Group, JointId, LoopEquations};
 use crate::sheet::Order;
 use nalgebra::DMatrix;
@@ -239,16 +240,19 @@ impl Train<'_> {
                 [false, true] => 0,
                 _ => continue,
             };
-            let image = crate::construction::image_name(mechanism.point_name(pitch.centers[center]));
+            let image = image_name(mechanism.point_name(pitch.centers[center]));
             for vector in site.vectors().into_iter().filter(|vector| vector.ends[1] == image) {
-                if !construction.is_pitch_image(vector.ends[0])
+                let is_by_arm = vector.sum.iter().any(|product| product.of.contains(&length));
+                let is_from_pitch = construction.is_pitch_image(vector.ends[0]) || vector.from == pole;
+                if is_by_arm
+                    || !is_from_pitch
                     || found.iter().any(|edit: &Disturbance| edit.operation == vector.operation)
                 {
                     continue;
                 }
                 let sense = site.key.solution.pose.arm(pitch.centers[1 - center], pitch.centers[center]);
                 let along = site.model.exact.along(&vector.along);
-                let sign = crate::geometry::quarter_turn(sense).dot(&along).signum();
+                let sign = quarter_turn(sense).dot(&along).signum();
                 let sum = self.sum(Order::Velocity, row, &[length]);
                 let sum = sum.iter().map(|product| product.times(sign)).collect();
                 found.push(instead(vector.maker, OperationKind::Compute { number: vector.size, sum }));
@@ -441,7 +445,7 @@ pub(super) fn reversed(site: &Site<'_>) -> Vec<NumberId> {
     let mut found: Vec<NumberId> = Vec::new();
     for candidate in [sense(site), wrong_side(site)].iter().flatten() {
         for edit in &candidate.edits {
-            if let crate::construction::Change::Times(number, factor) = edit.change
+            if let Change::Times(number, factor) = edit.change
                 && (factor + 1.0).abs() < ALIKE
             {
                 found.push(number);
