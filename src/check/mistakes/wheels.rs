@@ -2,7 +2,7 @@
 //! wrong teeth, or a rate left out. What the wheels of a group then turn with follows from the rates that are known.
 
 use super::by_centers;
-use super::site::{Candidate, Site, instead, times};
+use super::site::{Candidate, Laid, Site, instead, times};
 use super::told::{Blank, Told, tell};
 use crate::construction::{Change, Disturbance, Equation, NumberId, OperationKind, Product, ProductKind, image_name};
 use crate::geometry::quarter_turn;
@@ -405,7 +405,43 @@ pub(super) fn wrong_side(site: &Site<'_>) -> Vec<Candidate> {
         // The velocity of the ring there, or that of its rim.
         [ring - 2.0 * wheel, ring].map(|of_ring| mesh.is_internal().then(|| row(of_ring)))
     };
-    wheels.each(told, rows)
+    let mut all = wheels.each(told, rows);
+    for (mesh, vector) in to_rings(&wheels) {
+        let reversed = site.candidate(told(&mesh), vector.turned(vector.along.turned(2)));
+        let side = inner(&mesh);
+        let ring = mesh.wheels[1 - side];
+        let factor = mesh.teeth[1 - side].abs() / (mesh.teeth[1 - side].abs() - 2.0 * mesh.teeth[side]);
+        let rate = site.model.construction.angular_rates[ring.0].and_then(|rates| rates[Order::Velocity]);
+        let maker = rate.and_then(|rate| Some((site.model.makers[rate.0]?, rate)));
+        if let Some((maker, rate)) = maker.filter(|_| factor.is_finite()) {
+            // The ring's angular velocity by the distance of the near side.
+            let mut near = reversed.clone();
+            near.edits.push(times(maker, rate, factor));
+            all.push(near);
+        }
+        all.push(reversed);
+    }
+    all
+}
+
+/// The velocities of pitch points of rings that are laid off as those of the wheels in them: on the near side they have the opposite sense.
+fn to_rings<'s>(wheels: &Wheels<'s>) -> Vec<(Mesh, Laid<'s>)> {
+    let site = wheels.site;
+    let construction = &site.model.construction;
+    let ring = |vector: &Laid<'_>| {
+        let image = vector.ends[1];
+        let mesh = wheels.meshes.iter().find(|mesh| image_name(construction.pitch_name(mesh.joint)) == image)?;
+        let inner = mesh.teeth.iter().position(|teeth| *teeth > 0.0)?;
+        let rate = construction.angular_rates[mesh.wheels[inner].0]?[Order::Velocity]?;
+        let is_of_inner = vector.sum.iter().any(|product| product.of.contains(&rate));
+        (mesh.is_internal() && is_of_inner).then_some(*mesh)
+    };
+    site.vectors().into_iter().filter_map(|vector| Some((ring(&vector)?, vector))).collect()
+}
+
+/// The operations that lay these off.
+pub(super) fn laid_off_to_rings(site: &Site<'_>) -> Vec<usize> {
+    to_rings(&Wheels::of(site)).iter().map(|(_, vector)| vector.operation).collect()
 }
 
 /// The accelerations of two wheels taken as equal where they touch: the centre of one follows from that.
