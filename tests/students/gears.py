@@ -183,7 +183,7 @@ class Hand:
         self.by_teeth = rng.random() < 0.5 or mistake not in (None, "mesh-sense", "accelerations-equal-at-P") or \
             mistake == "mesh-sense" and any(mesh[4] != "0" for mesh in train.meshes)
         right = [turning(train, order, [formula(mesh) for mesh in train.meshes]) for order in (0, 1)]
-        self.omega, self.alpha = right
+        self.omega, self.alpha = (dict(rates) for rates in right)
         self.equal = None
         if mistake:
             self.err()
@@ -221,8 +221,14 @@ class Hand:
             if len(train.meshes) < 2 or train.meshes[0][3] != train.meshes[1][2] or train.meshes[0][1] != train.meshes[1][0]:
                 raise Stuck
             (a, b, z1, z2, k), (_, c, _, z3, _) = train.meshes
-            wrong = rng.choice([z1 / z2, z2 / abs(z3)]) * (1 if z3 > 0 else -1) * (1 if rng.random() < 0.7 else -1)
-            formulas[1] = [(c, 1.0), (k, -1.0), (a, -wrong), (k, wrong)]
+            if a in train.given:
+                first = 1
+            elif c in train.given:
+                a, c, z1, z3, first = c, a, z3, z1, 0
+            if "0" in (a, c) or (a in train.given) == (c in train.given):
+                raise Stuck
+            wrong = rng.choice([abs(z1) / z2, z2 / abs(z3)]) * (1 if z1 * z3 > 0 else -1) * (1 if rng.random() < 0.7 else -1)
+            formulas[first] = [(c, 1.0), (k, -1.0), (a, -wrong), (k, wrong)]
         elif kind == "pitch-point-on-wrong-side":
             if w > 0:
                 raise Stuck

@@ -247,7 +247,7 @@ macro_rules! catalogue {
             /// The torque of a drive with the sense of what it works against.
             TorqueSense "torque-sense" 5.0 polygons::torque_sense { torque_sense(found) }
             /// Wheels that touch outside taken to turn alike, or a ring and the wheel in it to turn opposite ways.
-            MeshSense "mesh-sense" 8.0 wheels::sense {
+            MeshSense "mesh-sense" 12.0 wheels::sense {
                 mesh_sense(first, second)
                 mesh_sense_internal(first, second)
             }
@@ -256,7 +256,7 @@ macro_rules! catalogue {
             /// The rate of a wheel relative to its carrier in place of that to the frame.
             RelativeForAbsolute "relative-for-absolute" 5.0 wheels::relative { relative_for_absolute(rate, arm) }
             /// The teeth of a wheel between two others in the ratio of these.
-            IdlerCounted "idler-counted" 4.0 wheels::idler_counted { idler_counted(idler, first, last) }
+            IdlerCounted "idler-counted" 5.0 wheels::idler_counted { idler_counted(idler, first, last) }
             /// The pitch point of a ring on the near side of the wheel in it.
             PitchPointOnWrongSide "pitch-point-on-wrong-side" 4.0 wheels::wrong_side { pitch_on_wrong_side(wheel, ring) }
             /// The other rim of a wheel with two.
@@ -266,7 +266,7 @@ macro_rules! catalogue {
                 rims_swapped(wheel)
             }
             /// The accelerations of two wheels taken as equal where they touch.
-            AccelerationsEqualAtP "accelerations-equal-at-P" 4.0 wheels::accelerations_equal {
+            AccelerationsEqualAtP "accelerations-equal-at-P" 6.0 wheels::accelerations_equal {
                 accelerations_equal(first, second)
             }
             /// The other assembly mode.

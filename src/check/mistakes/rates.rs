@@ -80,6 +80,12 @@ pub(super) fn senses_reversed(site: &Site<'_>) -> Vec<Candidate> {
         is_turning(&entry.asked.what) && !entry.is_magnitude && site.model.readings[*index].is_ok()
     });
     let all: Vec<usize> = signed.map(|(index, _)| index).collect();
+    // Of wheels alone it is `wheels::sense` in the first mesh.
+    let of_wheels = wheels::rates(site);
+    let is_of_wheel = |index: &usize| site.model.readings[*index].is_ok_and(|r| of_wheels.contains(&r.number));
+    if !of_wheels.is_empty() && all.iter().all(is_of_wheel) {
+        return Vec::new();
+    }
     // Of a single rate this is `wrong_sense`.
     match all.len() {
         0 | 1 => Vec::new(),

@@ -342,7 +342,8 @@ pub(super) fn idler_counted(site: &Site<'_>) -> Vec<Candidate> {
             for before in before {
                 let Some(side) = before.side(idler) else { continue };
                 let first = before.wheels[1 - side];
-                let is_idler = before.teeth[side] == last.teeth[1 - end] && first != wheel;
+                // From a wheel that rests it looks as if the carrier were forgotten.
+                let is_idler = before.teeth[side] == last.teeth[1 - end] && first != wheel && first != GROUND;
                 if !is_idler {
                     continue;
                 }
@@ -474,6 +475,17 @@ pub(super) fn accelerations_equal(site: &Site<'_>) -> Vec<Candidate> {
         }
     }
     all
+}
+
+/// All rates that meshes alone tell.
+pub(super) fn rates(site: &Site<'_>) -> Vec<NumberId> {
+    let trains = Wheels::of(site).trains;
+    let of = |train: &Train<'_>| {
+        let links = (0..train.equations.unknowns).filter_map(|unknown| train.equations.link_of(unknown));
+        let numbers = links.flat_map(|link| Order::ALL.map(|order| train.number(order, link)));
+        numbers.flatten().collect::<Vec<_>>()
+    };
+    trains.iter().flat_map(of).collect()
 }
 
 /// The rates that a mistake in the sense of a mesh, or in the side of a pitch point, reverses: of these it is told.
