@@ -343,7 +343,8 @@ pub(super) fn idler_counted(site: &Site<'_>) -> Vec<Candidate> {
                 let Some(side) = before.side(idler) else { continue };
                 let first = before.wheels[1 - side];
                 // From a wheel that rests it looks as if the carrier were forgotten.
-                let is_idler = before.teeth[side] == last.teeth[1 - end] && first != wheel && first != GROUND;
+                let is_idler =
+                    before.teeth[side] == last.teeth[1 - end] && first != wheel && ![first, wheel].contains(&GROUND);
                 if !is_idler {
                     continue;
                 }
@@ -407,6 +408,18 @@ pub(super) fn wrong_side(site: &Site<'_>) -> Vec<Candidate> {
         [ring - 2.0 * wheel, ring].map(|of_ring| mesh.is_internal().then(|| row(of_ring)))
     };
     let mut all = wheels.each(told, rows);
+    // The velocity of the ring there, laid off in the plan.
+    for (mesh, vector) in to_pitch_points(&wheels, false) {
+        let near = rows(&mesh)[0].clone();
+        for mut candidate in near.into_iter().flat_map(|row| wheels.instead(&told(&mesh), &[(mesh.joint, row)])) {
+            let side = inner(&mesh);
+            let factor = 1.0 - 2.0 * mesh.teeth[side] / mesh.teeth[1 - side].abs();
+            candidate.edits.push(times(vector.maker, vector.size, factor));
+            candidate.edits.sort_by_key(|edit| edit.operation);
+            candidate.step = site.model.steps[vector.operation];
+            all.push(candidate);
+        }
+    }
     for (mesh, vector) in to_rings(&wheels) {
         let reversed = site.candidate(told(&mesh), vector.turned(vector.along.turned(2)));
         let side = inner(&mesh);
@@ -427,17 +440,22 @@ pub(super) fn wrong_side(site: &Site<'_>) -> Vec<Candidate> {
 
 /// The velocities of pitch points of rings that are laid off as those of the wheels in them: on the near side they have the opposite sense.
 fn to_rings<'s>(wheels: &Wheels<'s>) -> Vec<(Mesh, Laid<'s>)> {
+    to_pitch_points(wheels, true)
+}
+
+/// The vectors to the pitch points of rings, laid off as points of the wheel in the ring or of the ring.
+fn to_pitch_points<'s>(wheels: &Wheels<'s>, of_inner: bool) -> Vec<(Mesh, Laid<'s>)> {
     let site = wheels.site;
     let construction = &site.model.construction;
-    let ring = |vector: &Laid<'_>| {
+    let mesh = |vector: &Laid<'_>| {
         let image = vector.ends[1];
         let mesh = wheels.meshes.iter().find(|mesh| image_name(construction.pitch_name(mesh.joint)) == image)?;
-        let inner = mesh.teeth.iter().position(|teeth| *teeth > 0.0)?;
-        let rate = construction.angular_rates[mesh.wheels[inner].0]?[Order::Velocity]?;
-        let is_of_inner = vector.sum.iter().any(|product| product.of.contains(&rate));
-        (mesh.is_internal() && is_of_inner).then_some(*mesh)
+        let side = mesh.teeth.iter().position(|teeth| (*teeth > 0.0) == of_inner)?;
+        let rate = construction.angular_rates[mesh.wheels[side].0]?[Order::Velocity]?;
+        let is_of_it = vector.sum.iter().any(|product| product.of.contains(&rate));
+        (mesh.is_internal() && is_of_it).then_some(*mesh)
     };
-    site.vectors().into_iter().filter_map(|vector| Some((ring(&vector)?, vector))).collect()
+    site.vectors().into_iter().filter_map(|vector| Some((mesh(&vector)?, vector))).collect()
 }
 
 /// The operations that lay these off.
