@@ -446,6 +446,12 @@ sentences! {
     exercise_lever(scales);
     exercise_guide(slider, place, degrees);
     exercise_guide_through(slider, line);
+    exercise_wheel(link, teeth);
+    exercise_ring(link, teeth);
+    exercise_fixed_wheel(teeth);
+    exercise_fixed_ring(teeth);
+    exercise_mesh(first, second);
+    exercise_mesh_on(first, second, arm);
     exercise_room(velocity, acceleration, paper);
     exercise_sheets;
     exercise_center_sheet;
