@@ -1,6 +1,6 @@
 //! Wheels that mesh: their angular velocities by the velocities of pitch points, their angular accelerations by the meshes' equations.
 //!
-//! Where two wheels touch they have one velocity, so that the image of a pitch point belongs to both (Kutzbach, 1927). A wheel of which two
+//! Where two wheels touch they have one velocity, so that the image of a pitch point belongs to both. A wheel of which two
 //! points have images, its centre and a pitch point or two pitch points, turns with their relative velocity over their distance: their images
 //! and that of every point between lie on the velocity line. What no two points lead to, and all accelerations, follow from the equations
 //! z₁ ω₁ + z₂ ω₂ = (z₁ + z₂) ω_carrier (Willis, 1841): at a pitch point only the tangential parts of accelerations are equal.
