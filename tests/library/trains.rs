@@ -1,12 +1,11 @@
 //! Trains of wheels by hand: rates by pitch points against Willis' formula, images of pitch points, what steps and exercises say.
 
-use kinegon::Solution;
 use kinegon::construction::{Action, RateEquation};
 use kinegon::exercise::Exercises;
 use kinegon::geometry::Vector;
 use kinegon::quantity::Quantity;
 use kinegon::scene::Kind;
-use kinegon::sheet::{Order, Sheet};
+use kinegon::{Order, Sheet, Solution};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use support::random::Random;
