@@ -95,9 +95,8 @@ impl Wheels {
                 return None;
             }
             let teeth = teeth.map(libm::round);
-            for side in 0..2 {
-                rims.push((&mesh.wheels[side], mesh.teeth[side], teeth[side]));
-            }
+            let own = mesh.wheels.iter().zip(mesh.teeth).zip(teeth);
+            rims.extend(own.map(|((wheel, own), teeth)| (wheel.as_str(), own, teeth)));
             distances.push((pair, distance));
             all.push(teeth);
         }
