@@ -164,7 +164,7 @@ macro_rules! catalogue {
                 centers_swapped(first, second)
             }
             /// A ratio of distances of centres, or of numbers of teeth, upside down.
-            RatioInverted "ratio-inverted" 5.0 wheels::inverted {
+            RatioInverted "ratio-inverted" 5.0 teeth::inverted {
                 ratio_inverted(rate, over, under)
                 /// Of the teeth of two wheels.
                 teeth_inverted(first, second)
@@ -247,26 +247,26 @@ macro_rules! catalogue {
             /// The torque of a drive with the sense of what it works against.
             TorqueSense "torque-sense" 5.0 polygons::torque_sense { torque_sense(found) }
             /// Wheels that touch outside taken to turn alike, or a ring and the wheel in it to turn opposite ways.
-            MeshSense "mesh-sense" 12.0 wheels::sense {
+            MeshSense "mesh-sense" 12.0 teeth::sense {
                 mesh_sense(first, second)
                 mesh_sense_internal(first, second)
             }
             /// The ratio of teeth taken for the rates themselves, not for those relative to the carrier.
-            ArmForgotten "arm-forgotten" 6.0 wheels::arm_forgotten { arm_forgotten(first, second, arm) }
+            ArmForgotten "arm-forgotten" 6.0 teeth::arm_forgotten { arm_forgotten(first, second, arm) }
             /// The rate of a wheel relative to its carrier in place of that to the frame.
-            RelativeForAbsolute "relative-for-absolute" 5.0 wheels::relative { relative_for_absolute(rate, arm) }
+            RelativeForAbsolute "relative-for-absolute" 5.0 teeth::relative { relative_for_absolute(rate, arm) }
             /// The teeth of a wheel between two others in the ratio of these.
-            IdlerCounted "idler-counted" 5.0 wheels::idler_counted { idler_counted(idler, first, last) }
+            IdlerCounted "idler-counted" 5.0 teeth::idler_counted { idler_counted(idler, first, last) }
             /// The pitch point of a ring on the near side of the wheel in it.
-            PitchPointOnWrongSide "pitch-point-on-wrong-side" 4.0 wheels::wrong_side { pitch_on_wrong_side(wheel, ring) }
+            PitchPointOnWrongSide "pitch-point-on-wrong-side" 4.0 teeth::wrong_side { pitch_on_wrong_side(wheel, ring) }
             /// The other rim of a wheel with two.
-            RimOfCompoundSwapped "rim-of-compound-swapped" 4.0 wheels::rim_swapped {
+            RimOfCompoundSwapped "rim-of-compound-swapped" 4.0 teeth::rim_swapped {
                 rim_swapped(wheel, other)
                 /// In both meshes.
                 rims_swapped(wheel)
             }
             /// The accelerations of two wheels taken as equal where they touch.
-            AccelerationsEqualAtP "accelerations-equal-at-P" 6.0 wheels::accelerations_equal {
+            AccelerationsEqualAtP "accelerations-equal-at-P" 6.0 teeth::accelerations_equal {
                 accelerations_equal(first, second)
             }
             /// The other assembly mode.

@@ -16,6 +16,7 @@ mod rates;
 mod rays;
 mod routes;
 mod site;
+mod teeth;
 mod told;
 mod unknown;
 mod vectors;

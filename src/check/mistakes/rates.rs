@@ -2,9 +2,9 @@
 
 use super::lengths::{Length, lengths};
 use super::site::{Candidate, Reinterpretation, Site, Term, times};
+use super::teeth;
 use super::told::{Blank, Mistake, Told, tell};
 use super::vectors::OfTerm;
-use super::wheels;
 use crate::check::entry::Entry;
 use crate::construction::{Change, Disturbance, MeasuredAs, NumberId, NumberKind, OperationKind, ProductKind, Rate};
 use crate::quantity::{QuantityKind, What};
@@ -25,8 +25,8 @@ fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)
 
 /// A rate taken with the wrong sense: in all that follows, or only as it is written.
 pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
-    // `wheels::sense` has those of wheels.
-    let of_wheels = wheels::reversed(site);
+    // `teeth::sense` has those of wheels.
+    let of_wheels = teeth::reversed(site);
     // `centers::sense_by_center` has those by centres.
     let of_plans = rates(site).filter(|(_, number, _)| {
         matches!(site.number_kind(*number), NumberKind::Rate(_)) && !of_wheels.contains(number)
@@ -80,8 +80,8 @@ pub(super) fn senses_reversed(site: &Site<'_>) -> Vec<Candidate> {
         is_turning(&entry.asked.what) && !entry.is_magnitude && site.model.readings[*index].is_ok()
     });
     let all: Vec<usize> = signed.map(|(index, _)| index).collect();
-    // Of wheels alone it is `wheels::sense` in the first mesh.
-    let of_wheels = wheels::rates(site);
+    // Of wheels alone it is `teeth::sense` in the first mesh.
+    let of_wheels = teeth::rates(site);
     let is_of_wheel = |index: &usize| site.model.readings[*index].is_ok_and(|r| of_wheels.contains(&r.number));
     if !of_wheels.is_empty() && all.iter().all(is_of_wheel) {
         return Vec::new();

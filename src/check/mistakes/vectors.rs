@@ -2,8 +2,8 @@
 //! accelerations among them.
 
 use super::site::{Candidate, Laid, Site, Term, instead, times};
+use super::teeth;
 use super::told::{Blank, Told, tell};
-use super::wheels;
 use crate::construction::{
     Action, Along, Change, Disturbance, NumberId, NumberKind, OperationKind, PlaceId, Product, ProductKind, Rate,
     RayOf, image_name,
@@ -15,12 +15,12 @@ use crate::sheet::{Order, Sheet};
 /// The reversed vectors that have no name of their own: a normal part alone is laid off outward, a Coriolis
 /// acceleration alone is turned the wrong way, and the velocity of a crank has the wrong sense of its ω.
 pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
-    let to_rings = wheels::laid_off_to_rings(site);
+    let to_rings = teeth::laid_off_to_rings(site);
     let vectors = site.vectors().into_iter().filter(|vector| {
         let of_crank = || vector.sum.iter().all(|product| site.is_of_crank(product));
         let is_crank = vector.is_only(ProductKind::Turning) && vector.sheet == Sheet::Velocity && of_crank();
         let is_other = vector.is_only(ProductKind::Normal) || vector.is_only(ProductKind::Coriolis) || is_crank;
-        // `wheels::wrong_side` has those to rings.
+        // `teeth::wrong_side` has those to rings.
         !is_other && !to_rings.contains(&vector.operation)
     });
     let laid = vectors.map(|vector| {
