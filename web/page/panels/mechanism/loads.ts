@@ -23,7 +23,7 @@ export function loads(scene: Draft): Group {
     path: ["forces"],
     folded: !isLoaded,
     cards: [...masses, ...forceCards(scene), ...listOf(scene, "springs").map((spring, index) => springCard(scene, spring, index))],
-    rows: [...(linksOf(scene).length === 0 ? [] : adders()), ...(isLoaded ? [gravity(scene), analysis(scene), units()] : [])],
+    rows: [...(linksOf(scene).length === 0 ? [] : [adders()]), ...(isLoaded ? [gravity(scene), analysis(scene), units()] : [])],
   };
 }
 
@@ -52,14 +52,19 @@ function* spotsFromGround(scene: Draft): Iterable<Listed> {
 }
 
 /** What adds something. */
-function adders(): Row[] {
-  const adder = (what: string, path: Path, lists: Adder["lists"]): Row => ({ fields: [{ kind: "adder", path, label: say(`add_${what}` as "add_mass"), text: say(`add_${what}` as "add_mass"), ask: { do: what, with: [] }, lists }] });
-  return [
-    adder("force", ["forces", "+"], [{ label: say("acts_at"), options: spots }]),
-    adder("couple", ["forces", "+couple"], [{ label: say("acts_on"), options: linkNames }]),
-    adder("mass", ["links", "+mass"], [{ label: say("link"), options: linksWithoutMass }]),
-    adder("spring", ["springs", "+"], [{ label: say("from"), options: spots }, { label: say("to"), options: spotsFromGround }]),
-  ];
+function adders(): Row {
+  const adder = (what: "force" | "couple" | "mass" | "spring", path: Path, ...lists: Adder["lists"]): Adder => {
+    const text = say(`add_${what}`);
+    return { kind: "adder", path, label: text, text, ask: { do: what, with: [] }, lists };
+  };
+  return {
+    fields: [
+      adder("force", ["forces", "+"], { label: say("acts_at"), options: spots }),
+      adder("couple", ["forces", "+couple"], { label: say("acts_on"), options: linkNames }),
+      adder("mass", ["links", "+mass"], { label: say("link"), options: linksWithoutMass }),
+      adder("spring", ["springs", "+"], { label: say("from"), options: spots }, { label: say("to"), options: spotsFromGround }),
+    ],
+  };
 }
 
 function gravity(scene: Draft): Row {
