@@ -3,7 +3,7 @@
 use crate::{path, solved};
 use divan::black_box;
 use kinegon::cycle::{Steps, Sweep, every_name};
-use kinegon::mechanism::Mechanism;
+use kinegon::mechanism::{Mechanism, SliderId};
 use kinegon::quantity::QuantityRequest;
 use serde_json::{Value, json};
 use std::time::Instant;
@@ -72,7 +72,7 @@ fn loaded(text: &str) -> String {
 fn reactions(mechanism: &Mechanism) -> Vec<String> {
     let links = || mechanism.links().map(|(_, body)| &body.name);
     let pins = mechanism.points.iter().flat_map(|point| links().map(move |link| format!("R({point},{link})")));
-    let sliders = mechanism.slider_ids().map(|slider| format!("N({})", mechanism.slider_name(slider)));
+    let sliders = (0..mechanism.sliders.len()).map(SliderId).map(|slider| format!("N({})", mechanism.slider_name(slider)));
     let torques = links().map(|link| format!("T({link})"));
     let all = pins.chain(sliders).chain(torques);
     all.filter(|name| QuantityRequest::new(name, mechanism).is_ok()).collect()
