@@ -24,7 +24,9 @@ const MECHANISMS: [(&str, &str, [f64; 2]); 4] = [
 
 /// Prints the times over those of the same tables without forces: of all motions, and of the rates of the last link alone.
 pub fn print() {
-    println!("\nTimes of tables with all reactions and what the drive needs over those without, all motions of links and points in both; and, in µs per row,");
+    println!(
+        "\nTimes of tables with all reactions and what the drive needs over those without, all motions of links and points in both; and, in µs per row,"
+    );
     println!("without and with them:");
     for (name, text, range) in MECHANISMS {
         let solution = solved(&loaded(text));
@@ -72,7 +74,8 @@ fn loaded(text: &str) -> String {
 fn reactions(mechanism: &Mechanism) -> Vec<String> {
     let links = || mechanism.links().map(|(_, body)| &body.name);
     let pins = mechanism.points.iter().flat_map(|point| links().map(move |link| format!("R({point},{link})")));
-    let sliders = (0..mechanism.sliders.len()).map(SliderId).map(|slider| format!("N({})", mechanism.slider_name(slider)));
+    let sliders =
+        (0..mechanism.sliders.len()).map(SliderId).map(|slider| format!("N({})", mechanism.slider_name(slider)));
     let torques = links().map(|link| format!("T({link})"));
     let all = pins.chain(sliders).chain(torques);
     all.filter(|name| QuantityRequest::new(name, mechanism).is_ok()).collect()

@@ -94,7 +94,9 @@ impl<'a> Sweep<'a> {
                 *value = self.steps.value(row);
             }
             let (count, block) = many.motions(values);
-            let together = block.filter(|_| self.errors.is_none()).and_then(|block| self.path.together(block, count, &self.columns));
+            let together = block
+                .filter(|_| self.errors.is_none())
+                .and_then(|block| self.path.together(block, count, &self.columns));
             for (lane, value) in values[..count].iter().enumerate() {
                 match block {
                     Some(block) => {

@@ -64,7 +64,9 @@ fn loads_come_change_and_go() {
     // All of it away again.
     bench.press_named(GROUP, "Remove the mass of link 2");
     bench.press_named(GROUP, "Remove P");
-    assert!(bench.at("/forces").is_null() && bench.at("/links/2/mass").is_null() && bench.at("/links/2/inertia").is_null());
+    assert!(
+        bench.at("/forces").is_null() && bench.at("/links/2/mass").is_null() && bench.at("/links/2/inertia").is_null()
+    );
     assert_eq!(drawn(&mut bench), 0.0);
     bench.assert_quiet();
 }
@@ -99,7 +101,9 @@ fn loads_fit_a_telephone() {
     bench.put(&text);
     bench.value("kinegon.app.show('mechanism')");
     bench.settle();
-    bench.value("document.querySelectorAll(\"#panel-mechanism [data-path='forces'] .more\").forEach((more) => more.click())");
+    bench.value(
+        "document.querySelectorAll(\"#panel-mechanism [data-path='forces'] .more\").forEach((more) => more.click())",
+    );
     bench.settle();
     bench.value("document.querySelector(\"#panel-mechanism [data-path='forces']\").scrollIntoView()");
     bench.frame();
