@@ -1403,6 +1403,7 @@ exercise-forces_cross = Richtungen von Kräften schneiden sich unter weniger als
 exercise-force_short = eine Kraft ist kürzer als 8 mm
 exercise-arm_short = ein Hebelarm ist kürzer als 10 mm
 exercise-forces_unequal = eine Kraft ist kleiner als ein Vierzigstel einer anderen
+exercise-forces_unequal_as = eine Kraft ist kleiner als ein Vierzigstel einer anderen, so {$small} neben {$large} in der Szene, wie sie ist: lassen Sie weg, was so klein ist (Schwerkraft, eine Masse, die Trägheit durch "analysis": "static"), oder machen Sie die Lasten ähnlicher
 exercise-force_unsure = eine Kraft oder ein Moment ist von Hand nicht auf 8 % zu finden
 exercise-same = ihre Zahlen kamen schon vor
 exercise-numbered = Aufgaben sind von 1 bis {$most} nummeriert

@@ -1436,6 +1436,7 @@ exercise-forces_cross = directions of forces cross at less than 15°
 exercise-force_short = a force is shorter than 8 mm
 exercise-arm_short = an arm is shorter than 10 mm
 exercise-forces_unequal = a force is less than a fortieth of another
+exercise-forces_unequal_as = a force is less than a fortieth of another, as {$small} of {$large} in the scene as it stands: leave out what is so small (gravity, a mass, inertia by "analysis": "static"), or make the loads more alike
 exercise-force_unsure = a force or a moment cannot be found to 8 % by hand
 exercise-same = its numbers came before
 exercise-numbered = exercises are numbered from 1 to {$most}

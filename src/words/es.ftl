@@ -1401,6 +1401,7 @@ exercise-forces_cross = las direcciones de fuerzas se cortan con menos de 15°
 exercise-force_short = una fuerza mide menos de 8 mm
 exercise-arm_short = un brazo mide menos de 10 mm
 exercise-forces_unequal = una fuerza es menos de la cuadragésima parte de otra
+exercise-forces_unequal_as = una fuerza es menos de la cuadragésima parte de otra, como {$small} de {$large} en la escena tal como está: quite lo que es tan pequeño (la gravedad, una masa, la inercia con "analysis": "static") o haga las cargas más parecidas
 exercise-force_unsure = una fuerza o un momento no se puede hallar al 8 % a mano
 exercise-same = sus números ya salieron antes
 exercise-numbered = los ejercicios se numeran de 1 a {$most}

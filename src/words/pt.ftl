@@ -1403,6 +1403,7 @@ exercise-forces_cross = direções de forças cruzam-se a menos de 15°
 exercise-force_short = uma força mede menos de 8 mm
 exercise-arm_short = um braço mede menos de 10 mm
 exercise-forces_unequal = uma força é menos de um quadragésimo de outra
+exercise-forces_unequal_as = uma força é menos de um quadragésimo de outra, como {$small} de {$large} na cena tal como está: tire o que é tão pequeno (a gravidade, uma massa, a inércia com "analysis": "static") ou torne as cargas mais parecidas
 exercise-force_unsure = uma força ou um momento não se acha a 8 % à mão
 exercise-same = seus números já apareceram antes
 exercise-numbered = os exercícios são numerados de 1 a {$most}
