@@ -22,7 +22,7 @@ const MECHANISMS: [(&str, &str, [f64; 2]); 4] = [
     ("the paper's mechanism", crate::FIGURE_2, [-135.0, 135.0]),
 ];
 
-/// Prints the times over those of the same tables without forces: of all motions, and of the rates of the last link alone.
+/// Prints the times over those of the same tables without forces.
 pub fn print() {
     println!(
         "\nTimes of tables with all reactions and what the drive needs over those without, all motions of links and points in both; and, in µs per row,"
