@@ -235,7 +235,7 @@ macro_rules! catalogue {
                 factor_of_thousand(load)
             }
             /// Moments taken about a point through which the lines of the other unknowns do not pass.
-            MomentAboutWrongPoint "moment-about-wrong-point" 5.0 moments::about_wrong_point {
+            MomentAboutWrongPoint "moment-about-wrong-point" 15.0 moments::about_wrong_point {
                 moment_about_wrong_point(found, wrong, right)
             }
             /// Forces put on the velocity plan as it is, not turned.
