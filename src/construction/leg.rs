@@ -110,7 +110,7 @@ impl Writer<'_> {
     /// The equation of a relation between angles, as of gears; `None` where the rate of a known body has no number.
     pub(super) fn angular_equation(&self, order: Order, terms: &AngularTerms) -> Option<Equation> {
         let (mut left, mut right) = (Vec::new(), Vec::new());
-        for &(rate, weight) in terms {
+        for &(rate, weight) in &terms.rates {
             match rate {
                 AngularRate::Unknown(unknown) => left.push((unknown, Product::new(ProductKind::Plain, weight, &[]))),
                 AngularRate::Known(body) => {

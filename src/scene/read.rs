@@ -343,7 +343,7 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
     check_points(given_by, &names, &coordinates)?;
     let sliders = sliders(given_by, &names, &coordinates, file.sliders.unwrap_or_default(), of_links.pushes)?;
     let is_drawn = given_by == GivenBy::Drawing;
-    let gears = gears(is_drawn, &names, &coordinates, file.gears.unwrap_or_default())?;
+    let gears = gears(is_drawn, &names, &coordinates, &sliders, file.gears.unwrap_or_default())?;
     let known = known(given_by, &names, file.known)?;
     check_given_once(&names, &known, &sliders)?;
     let fields = LoadFields {

@@ -42,6 +42,12 @@ impl SchemeOnPaper<'_> {
             if let Some(pitch) = joint.pitch {
                 self.mesh(canvas, joint, pitch);
             }
+            if let Some(rack) = joint.rack {
+                self.rack(canvas, joint, rack);
+            }
+            if let Some(belt) = joint.belt {
+                self.belt(canvas, belt);
+            }
         }
     }
 
