@@ -201,9 +201,7 @@ impl Writer<'_> {
         let has_crossing =
             |s: &Special| s.place.finite().is_some() && s.cuts.iter().all(|c| c.line.direction().is_some());
         let equation_count = 2 * special.len() + equations.angular.len();
-        // A slide that turns with a wheel is laid off from the motion.
-        let has_travel = equations.angular.iter().any(|terms| terms.travel.is_some());
-        let has_rays = equation_count == equations.unknowns && !has_travel && special.iter().all(has_crossing);
+        let has_rays = equation_count == equations.unknowns && special.iter().all(has_crossing);
         let ids = (first..).map(SpecialId);
         let drawn: Vec<Option<DrawnSpecial<'_>>> =
             special.iter().zip(ids).map(|(special, id)| self.special_point(special, id, has_rays)).collect();

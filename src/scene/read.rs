@@ -354,8 +354,9 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
         springs: file.springs,
     };
     let loads = loads(given_by, &names, file.units, fields)?;
-    if loads.is_some() && !gears.is_empty() {
-        return Err(Wrong::key(&["gears"], says::no_forces_of_gears()).hint(says::remove_gears_or_loads()));
+    if let Some(index) = gears.iter().position(|gear| loads.is_some() && gear.belt.is_some()) {
+        let message = says::no_forces_of_belts();
+        return Err(Wrong::key(&["gears", &index.to_string(), "belt"], message).hint(says::remove_belts_or_loads()));
     }
     let near = near(given_by, &names, file.near)?;
     check_motions(&names)?;

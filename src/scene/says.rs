@@ -289,8 +289,8 @@ messages! { "scene":
     belt_on_rack;
     belt_without_teeth;
     teeth_of_belt(most);
-    no_forces_of_gears;
-    remove_gears_or_loads;
+    no_forces_of_belts;
+    remove_belts_or_loads;
 
     // Masses and loads.
     mass_and_weight(link);

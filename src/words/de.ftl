@@ -921,8 +921,8 @@ scene-give_position_of_rack = `position` sagt, wo die Zahnstange ist, wenn das R
 scene-belt_on_rack = um eine Zahnstange läuft kein Riemen
 scene-belt_without_teeth = ein Riemen hat keinen Eingriffswinkel
 scene-teeth_of_belt = geben Sie eine ganze Zahl von 1 bis {$most} an: Zähne von Kettenrädern, oder ganze Zahlen im Verhältnis der Radien
-scene-no_forces_of_gears = von Getrieben mit Zahnradpaaren werden keine Kräfte berechnet
-scene-remove_gears_or_loads = entfernen Sie Massen, `gravity`, `forces` und `springs` aus der Szene, oder ihre `gears`
+scene-no_forces_of_belts = wie stark ein Riemen gespannt ist, ist nicht bekannt; deshalb werden Kräfte von Getrieben mit Riemen nicht berechnet
+scene-remove_belts_or_loads = entfernen Sie Massen, `gravity`, `forces` und `springs` aus der Szene, oder ihre Riemen
 
 # Masses and loads.
 

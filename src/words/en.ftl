@@ -951,8 +951,8 @@ scene-give_position_of_rack = `position` says where the rack is when the wheel s
 scene-belt_on_rack = no belt runs around a rack
 scene-belt_without_teeth = a belt has no pressure angle
 scene-teeth_of_belt = give a whole number from 1 to {$most}: teeth of a chain's wheels, or whole numbers in the ratio of the radii
-scene-no_forces_of_gears = forces are not computed of mechanisms with gear pairs
-scene-remove_gears_or_loads = remove masses, `gravity`, `forces` and `springs` from the scene, or its `gears`
+scene-no_forces_of_belts = how hard a belt is strained is not known, so forces are not computed of mechanisms with belts
+scene-remove_belts_or_loads = remove masses, `gravity`, `forces` and `springs` from the scene, or its belts
 
 # Masses and loads.
 

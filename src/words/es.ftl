@@ -919,8 +919,8 @@ scene-give_position_of_rack = `position` dice dónde está la cremallera cuando 
 scene-belt_on_rack = ninguna correa rodea una cremallera
 scene-belt_without_teeth = una correa no tiene ángulo de presión
 scene-teeth_of_belt = dé un número entero de 1 a {$most}: dientes de ruedas de cadena, o números enteros en la razón de los radios
-scene-no_forces_of_gears = no se calculan fuerzas de mecanismos con pares de engranajes
-scene-remove_gears_or_loads = quite masas, `gravity`, `forces` y `springs` de la escena, o sus `gears`
+scene-no_forces_of_belts = no se sabe cuánto está tensada una correa; por eso no se calculan fuerzas de mecanismos con correas
+scene-remove_belts_or_loads = quite de la escena masas, `gravity`, `forces` y `springs`, o sus correas
 
 # Masses and loads.
 

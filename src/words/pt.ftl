@@ -921,8 +921,8 @@ scene-give_position_of_rack = `position` diz onde a cremalheira está quando a r
 scene-belt_on_rack = nenhuma correia envolve uma cremalheira
 scene-belt_without_teeth = uma correia não tem ângulo de pressão
 scene-teeth_of_belt = dê um número inteiro de 1 a {$most}: dentes de rodas de corrente, ou números inteiros na razão dos raios
-scene-no_forces_of_gears = não se calculam forças de mecanismos com pares de engrenagens
-scene-remove_gears_or_loads = remova massas, `gravity`, `forces` e `springs` da cena, ou suas `gears`
+scene-no_forces_of_belts = não se sabe quanto uma correia está tensionada; por isso não se calculam forças de mecanismos com correias
+scene-remove_belts_or_loads = tire da cena massas, `gravity`, `forces` e `springs`, ou suas correias
 
 # Masses and loads.
 

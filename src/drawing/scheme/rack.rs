@@ -5,7 +5,7 @@ use crate::drawing::canvas::Canvas;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
 use crate::geometry;
-use crate::mechanism::{Belt, GROUND, Joint, Rack};
+use crate::mechanism::{Belt, BodyId, GROUND, Joint, Rack};
 use kurbo::{Point, Vec2};
 
 /// How far a pitch line goes on beyond what touches it, in parts of the wheel's radius.
@@ -32,7 +32,9 @@ impl SchemeOnPaper<'_> {
         let places = own.map(|&point| (self.pose.point(point) - touch).dot(&along));
         let (low, high) = places.fold((-reach, reach), |(low, high), at| (low.min(at), high.max(at)));
         let ends = [low, high].map(|at| self.view.at(touch + along * at));
-        canvas.draw(Pen::Guide, Shape::Line(ends[0], ends[1]));
+        let pen = if body == GROUND { Pen::Guide } else { Pen::Link };
+        canvas.draw(pen, Shape::Line(ends[0], ends[1])).number = self.context.number(body);
+        self.stem(canvas, body, (touch, along));
         let (touch, center) = (self.view.at(touch), self.view.at(center));
         let outwards = touch - center;
         if outwards.hypot() <= f64::EPSILON {
@@ -42,6 +44,17 @@ impl SchemeOnPaper<'_> {
         canvas.draw(Pen::Guide, Shape::Line(touch - outwards * TOUCH, touch + outwards * TOUCH));
         if body == GROUND {
             hatch(canvas, ends, outwards);
+        }
+    }
+
+    /// What joins the line of a rack to its slider.
+    fn stem(&self, canvas: &mut Canvas<'_>, body: BodyId, (touch, along): (geometry::Point, geometry::Vector)) {
+        let slider = self.mechanism.sliders.iter().find(|slider| slider.link == body);
+        let Some(at) = slider.map(|slider| self.pose.point(slider.at)).filter(|_| body != GROUND) else { return };
+        let foot = touch + along * (at - touch).dot(&along);
+        let [at, foot] = [at, foot].map(|place| self.view.at(place));
+        if (at - foot).hypot() > self.dims().joint {
+            canvas.draw(Pen::Link, Shape::Line(at, foot)).number = self.context.number(body);
         }
     }
 
