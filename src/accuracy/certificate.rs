@@ -38,8 +38,10 @@ impl Near<'_> {
         let size: f64 = self.group.bodies.iter().map(|body| self.sizes[body.0]).sum();
         // Where no gap is left, a box that is not empty.
         let mut least = Numbers::from_elem(SMALL, self.equations.unknowns);
+        let radii = self.equations.angular.iter().filter_map(|terms| Some(terms.travel.as_ref()?.radius));
+        let longest = radii.fold(size, f64::max);
         for &(_, unknown) in &self.equations.slides {
-            least[unknown] = SMALL * size;
+            least[unknown] = SMALL * longest;
         }
         let mut off = Elements::new();
         let verified = self.system.verified_near(&most, &least, |reach| {
@@ -93,13 +95,9 @@ impl Near<'_> {
         for ((terms, row), gap) in
             equations.angular.iter().zip(off[loops * width..].chunks_mut(width)).zip(&gaps[loops..])
         {
-            let weighted = |&(rate, weight): &(AngularRate, f64)| match rate {
-                AngularRate::Unknown(unknown) => Some((unknown, weight.abs())),
-                AngularRate::Known(_) => None,
-            };
-            let left: f64 =
-                2.0 * gap + terms.iter().filter_map(weighted).map(|(at, weight)| weight * reach[at]).sum::<f64>();
-            for (unknown, weight) in terms.iter().filter_map(weighted) {
+            let weighted = || terms.coefficients().map(|(unknown, weight)| (unknown, weight.abs()));
+            let left: f64 = 2.0 * gap + weighted().map(|(at, weight)| weight * reach[at]).sum::<f64>();
+            for (unknown, weight) in weighted() {
                 row[unknown] += weight * left * left;
             }
         }

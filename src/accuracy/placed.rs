@@ -8,8 +8,8 @@ use super::certificate::{Near, sizes};
 use super::given::{Frame, Given, Vector};
 use super::locals::Locals;
 use super::places::PlacesOf;
-use crate::geometry::{Ball, Numbers, Pair};
-use crate::mechanism::{BodyId, Group, JointId, LoopEquations, PointId, Role, SliderId};
+use crate::geometry::{Ball, Numbers, Pair, RADIANS_PER_TURN};
+use crate::mechanism::{BodyId, Group, JointId, LoopEquations, PointId, Role, SliderId, Travel};
 use crate::motion::Places;
 use crate::position::Pose;
 use crate::scene::GivenBy;
@@ -338,10 +338,21 @@ impl<'a> Finder<'a> {
                 let back = if weight > 0 { turn.reversed() } else { turn };
                 left = left.turn(back.times(weight.unsigned_abs()));
             }
+            if let Some(travel) = &angular.travel {
+                left = left.turn(Pair::direction_of_degrees(self.travelled(travel)));
+            }
             // The angle's sine, as large as the angle up to its third power.
             gaps.push(if left.x.high < 0.0 { Ball { radius: f64::INFINITY, ..left.y } } else { left.y });
         }
         Some(gaps)
+    }
+
+    /// The angle, in degrees, by which what has slid turns a wheel.
+    fn travelled(&self, travel: &Travel) -> Ball {
+        let slides = travel.slides.iter();
+        let way =
+            slides.fold(-self.given.number(travel.start), |way, &(id, sign)| way + self.slides[id.0] * sign.into());
+        way * Ball::from(360.0) / (self.given.number(travel.radius) * RADIANS_PER_TURN)
     }
 
     /// Turns the bodies of the group: by unknown angles, and by what sliders make turn alike.

@@ -67,8 +67,7 @@ impl Enclosure {
                 (place.x.is_known() && place.y.is_known()).then_some(TrueCenter::At(place))
             }
             Some(Permanent::Mesh(_)) => {
-                let pitch = pole.pitch?;
-                let place = pitch.point(pitch.centers.map(|center| self.place(center)));
+                let place = pole.rolling?.point(|center| self.place(center), |guide| self.guide(guide), Ball::decimal);
                 (place.x.is_known() && place.y.is_known()).then_some(TrueCenter::At(place))
             }
             Some(Permanent::Guide(slider)) => {

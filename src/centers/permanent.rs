@@ -6,7 +6,7 @@ use crate::mechanism::{AngularConstraint, BodyId, JointId, Mechanism, PointId, S
 pub enum Permanent {
     /// A pin joins them: it is the centre.
     Pin(PointId),
-    /// Wheels on them roll on each other: it is their pitch point.
+    /// Wheels on them, or a wheel and a rack, roll on each other: it is their pitch point.
     Mesh(JointId),
     /// One slides along a guide of the other: the centre lies at infinity, normal to the guide.
     Guide(SliderId),
@@ -25,7 +25,7 @@ impl Permanent {
         }
         let meshes = |id: &JointId| {
             let joint = mechanism.joint(*id);
-            joint.pitch.is_some() && pair.other(joint.bodies[0]) == Some(joint.bodies[1])
+            joint.rolls() && pair.other(joint.bodies[0]) == Some(joint.bodies[1])
         };
         if let Some(mesh) = mechanism.joint_ids().find(meshes) {
             return Some(Permanent::Mesh(mesh));

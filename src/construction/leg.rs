@@ -107,15 +107,27 @@ impl Writer<'_> {
         Some(Equation { left, right })
     }
 
-    /// The equation of a relation between angles, as of gears; `None` where the rate of a known body has no number.
+    /// The equation of a relation between angles, as of gears; `None` where the rate of a known body or slider has no number.
     pub(super) fn angular_equation(&self, order: Order, terms: &AngularTerms) -> Option<Equation> {
         let (mut left, mut right) = (Vec::new(), Vec::new());
-        for &(rate, weight) in terms {
+        for &(rate, weight) in &terms.rates {
             match rate {
                 AngularRate::Unknown(unknown) => left.push((unknown, Product::new(ProductKind::Plain, weight, &[]))),
                 AngularRate::Known(body) => {
                     let rate = self.construction.angular_rates[body.0]?[order];
                     right.extend(rate.map(|rate| Product::new(ProductKind::Plain, -weight, &[rate])));
+                }
+            }
+        }
+        for (slide, radius) in
+            terms.travel.iter().flat_map(|travel| travel.slides.iter().map(|slide| (slide, travel.radius)))
+        {
+            let factor = -slide.sign / radius;
+            match slide.unknown {
+                Some(unknown) => left.push((unknown, Product::new(ProductKind::Plain, factor, &[]))),
+                None => {
+                    let rate = self.construction.slide_rates[slide.slider.0]?[order];
+                    right.extend(rate.map(|rate| Product::new(ProductKind::Plain, -factor, &[rate])));
                 }
             }
         }

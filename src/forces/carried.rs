@@ -10,6 +10,9 @@ use crate::mechanism::{BodyId, GROUND, JointId, Mechanism, PointId, SliderId};
 pub(crate) struct Carried<N = Ball> {
     pub force: Pair<N>,
     pub couple: N,
+    /// Between teeth, at their pitch point: the part of the force on the first body along the tangent, which is the direction from the first wheel's
+    /// centre to the second's, or from a wheel's centre to its rack, turned by +90°.
+    pub tangential: N,
 }
 
 /// What a drive needs.
@@ -65,6 +68,16 @@ impl<N: Solvable> Forces<N> {
             sum = Some(sum.map_or(force, |sum| sum + force));
         }
         sum
+    }
+
+    /// The tangential force between the teeth of a joint, on its first body.
+    pub(crate) fn tangential(&self, joint: JointId) -> N {
+        self.joints[joint.0].tangential
+    }
+
+    /// The force between the teeth of a joint, on its first body.
+    pub(crate) fn tooth_force(&self, joint: JointId) -> Pair<N> {
+        -self.joints[joint.0].force
     }
 
     /// The load of a kind on a body.

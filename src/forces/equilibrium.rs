@@ -3,8 +3,8 @@
 use super::acting::{Acting, Wrench, about};
 use super::carried::{Carried, Forces};
 use super::{Counted, Posed};
-use crate::geometry::{Equations, Pair};
-use crate::mechanism::{BodyId, GROUND, JointId, Mechanism, Role};
+use crate::geometry::{Ball, Equations, Pair};
+use crate::mechanism::{BodyId, GROUND, Joint, JointId, Mechanism, Role, Rolling};
 use smallvec::{SmallVec, smallvec};
 
 /// What an unknown of the equations is.
@@ -22,6 +22,21 @@ enum Part<N> {
     Force(Pair<N>),
     /// By the relation of angles that the joint keeps.
     Couple,
+    /// Between the teeth of wheels, or of a wheel and a rack, on the first body.
+    Tooth(Tooth<N>),
+}
+
+/// Where teeth touch.
+#[derive(Clone, Copy, Debug)]
+struct Tooth<N> {
+    /// The pitch point.
+    at: Pair<N>,
+    /// The unit vector along which the tangential force on the first body counts.
+    tangent: Pair<N>,
+    /// The unit vector in which the teeth push the first body away.
+    apart: Pair<N>,
+    /// The tangent of the pressure angle; none where the teeth do not push.
+    slope: Option<N>,
 }
 
 /// What the joints carry, so that all links are in equilibrium; `None` where a group leaves it open.
@@ -114,7 +129,18 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
         if unknowns.len() != size {
             return None;
         }
-        let mut equations = Equations::new(size, bodies.len());
+        let mut found = self.solved(bodies, &unknowns)?;
+        // The force along the tangent does not hang on that across it: wheels have no moment of that about their centres.
+        if self.push_apart(&unknowns, &found) {
+            found = self.solved(bodies, &unknowns)?;
+        }
+        self.hand_on(bodies, &unknowns, found);
+        Some(())
+    }
+
+    /// The unknowns that keep these bodies in equilibrium.
+    fn solved(&self, bodies: &[BodyId], unknowns: &[Unknown<N>]) -> Option<Vec<N>> {
+        let mut equations = Equations::new(3 * bodies.len(), bodies.len());
         let row = |body: BodyId| bodies.iter().position(|&own| own == body);
         for (column, &unknown) in unknowns.iter().enumerate() {
             for (body, wrench) in self.acts(unknown) {
@@ -131,9 +157,33 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
             equations.add_right(2 * row + 1, -force.y);
             equations.add_right(2 * bodies.len() + row, -moment);
         }
-        for (&unknown, x) in unknowns.iter().zip(equations.solved()?) {
+        equations.solved()
+    }
+
+    /// Adds the forces by which teeth push their bodies apart, which follow from those along the tangents; whether there are any.
+    fn push_apart(&mut self, unknowns: &[Unknown<N>], found: &[N]) -> bool {
+        let mut is_any = false;
+        for (unknown, &x) in unknowns.iter().zip(found) {
+            let Unknown::Joint(joint, Part::Tooth(Tooth { at, apart, slope: Some(slope), .. })) = *unknown else {
+                continue;
+            };
+            let force = apart * (x.larger(-x) * slope);
+            let [first, second] = self.mechanism.joint(joint).bodies;
+            for (body, force) in [(first, force), (second, -force)] {
+                self.loads[body.0].add(Wrench { force, moment: (at - self.about[body.0]).cross(force) });
+            }
+            let carried = &mut self.found.joints[joint.0];
+            carried.force = carried.force - force;
+            is_any = true;
+        }
+        is_any
+    }
+
+    /// Notes what is found, and hands it on to the bodies on which these hang.
+    fn hand_on(&mut self, bodies: &[BodyId], unknowns: &[Unknown<N>], found: Vec<N>) {
+        for (&unknown, x) in unknowns.iter().zip(found) {
             for (body, wrench) in self.acts(unknown) {
-                if row(body).is_none() {
+                if !bodies.contains(&body) {
                     self.loads[body.0].add(wrench.times(x));
                 }
             }
@@ -144,9 +194,40 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
                     carried.force = carried.force.plus_scaled(along, x);
                 }
                 Unknown::Joint(joint, Part::Couple) => self.found.joints[joint.0].couple = x,
+                Unknown::Joint(joint, Part::Tooth(tooth)) => {
+                    let carried = &mut self.found.joints[joint.0];
+                    carried.force = carried.force - tooth.tangent * x;
+                    carried.tangential = x;
+                }
             }
         }
-        Some(())
+    }
+
+    /// Where the teeth of a joint touch; `None` of other joints.
+    fn tooth(&self, joint: &Joint) -> Option<Tooth<N>> {
+        let rolling = joint.rolling()?;
+        let at = rolling.point(
+            |point| self.posed.place(point),
+            |slider| self.posed.guide(slider),
+            |number| self.posed.given(number),
+        );
+        // Pushing apart: wheels along their line of centres, a ring away from its centre.
+        let (outwards, apart, pressure) = match rolling {
+            Rolling::Wheels(pitch) => {
+                let [first, second] = pitch.centers.map(|center| self.posed.place(center));
+                let way = second - first;
+                let outwards = way * (N::from(1.0) / way.dot(way).sqrt());
+                let has_ring = pitch.teeth.iter().any(|teeth| *teeth < 0);
+                (outwards, if has_ring { outwards } else { -outwards }, pitch.pressure_deg)
+            }
+            Rolling::Rack(rack) => {
+                let outwards = self.posed.guide(rack.slider).quarter_turn() * N::from(-rack.side);
+                (outwards, if rack.wheel == 0 { -outwards } else { outwards }, rack.pressure_deg)
+            }
+        };
+        let line = Pair::direction_of_degrees(Ball::decimal(pressure));
+        let slope = (pressure > 0.0).then(|| N::of_ball(line.y / line.x));
+        Some(Tooth { at, tangent: outwards.quarter_turn(), apart, slope })
     }
 
     /// The unknowns of a joint: one for each freedom that it takes away, with the force of its drive.
@@ -165,8 +246,10 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
                 parts.push(Part::Force(along));
             }
         }
-        if joint.angular.is_some() {
-            parts.push(Part::Couple);
+        match self.tooth(joint) {
+            Some(tooth) => parts.push(Part::Tooth(tooth)),
+            None if joint.angular.is_some() => parts.push(Part::Couple),
+            None => {}
         }
         parts.into_iter().map(|part| Unknown::Joint(id, part)).collect()
     }
@@ -180,6 +263,13 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
                 let angular = self.mechanism.joint(joint).angular.iter();
                 let terms = angular.flat_map(|angular| &angular.terms);
                 terms.map(|&(body, weight)| (body, couple(f64::from(weight)))).collect()
+            }
+            Unknown::Joint(joint, Part::Tooth(Tooth { at, tangent, .. })) => {
+                let [first, second] = self.mechanism.joint(joint).bodies;
+                let on = |body: BodyId, force: Pair<N>| {
+                    (body, Wrench { force, moment: (at - self.about[body.0]).cross(force) })
+                };
+                smallvec![on(first, tangent), on(second, -tangent)]
             }
             Unknown::Joint(joint, Part::Force(along)) => {
                 let at = self.posed.place(self.mechanism.joint_point(joint));

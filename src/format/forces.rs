@@ -4,7 +4,7 @@ use crate::accuracy::Bounds;
 use crate::construction::Solution;
 use crate::forces::{Forces, Source};
 use crate::geometry::{Ball, Pair};
-use crate::mechanism::{BodyId, PointId};
+use crate::mechanism::{BodyId, JointId, PointId};
 use crate::quantity::LoadOf;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
@@ -18,6 +18,10 @@ pub struct ForcesResult {
     pub reactions: IndexMap<String, IndexMap<String, ForceResult>>,
     /// By slider: what its sliding link receives from the guide.
     pub sliders: IndexMap<String, GuideForceResult>,
+    /// By pair of wheels, as `1/2`, or of a wheel and its rack: what the first of the two receives from the other one's teeth. Left out without
+    /// such pairs.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub meshes: IndexMap<String, MeshForceResult>,
     /// By drive: what it needs.
     pub drives: IndexMap<String, DriveResult>,
     /// By link: its inertia, where it has a mass.
@@ -60,6 +64,24 @@ pub struct GuideForceResult {
     /// Bound on the error of `offset`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub offset_error: Option<f64>,
+}
+
+/// What a wheel receives from the teeth of another one, at the pitch point.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct MeshForceResult {
+    /// The pitch point.
+    pub pitch_point: [f64; 2],
+    /// The force along the tangent: along the direction from the first wheel's centre to the second's, or from the wheel's centre to its rack,
+    /// turned by +90°.
+    pub tangential: f64,
+    /// Bound on the error of `tangential`.
+    #[schemars(with = "Option<f64>")]
+    pub tangential_error: f64,
+    /// The whole force, with the part by which teeth push each other apart.
+    pub force: [f64; 2],
+    /// Bound on the error of both components of `force`.
+    #[schemars(with = "Option<f64>")]
+    pub force_error: f64,
 }
 
 /// What a drive needs.
@@ -141,6 +163,7 @@ impl ForcesResult {
                     (mechanism.slider_name(id), result)
                 })
                 .collect(),
+            meshes: meshes(solution, forces, bounds),
             drives: drives(solution, forces, bounds),
             inertia: inertia(solution, forces, bounds),
             frame: FrameResult {
@@ -173,6 +196,26 @@ fn reactions(
         (!all.is_empty()).then(|| (mechanism.point_name(pin).to_owned(), all))
     };
     mechanism.point_ids().filter_map(at).collect()
+}
+
+fn meshes(solution: &Solution, forces: &Forces, bounds: &Bounds<'_>) -> IndexMap<String, MeshForceResult> {
+    let Solution { mechanism, pose, .. } = solution;
+    let of = |id: JointId| {
+        let joint = mechanism.joint(id);
+        let rolling = joint.rolling()?;
+        let at = rolling.point(|point| pose.point(point).coords.into(), |slider| pose.guide(slider).into(), |x: f64| x);
+        let (tangential, force) = (forces.tangential(id), forces.tooth_force(id).rounded());
+        let names = joint.bodies.map(|body| mechanism.body(body).name.as_str());
+        let result = MeshForceResult {
+            pitch_point: [at.x, at.y],
+            tangential: tangential.high,
+            tangential_error: bounds.of_force(tangential.high, |f, _| Some(f.tangential(id))),
+            force: force.into(),
+            force_error: bounds.of_force_vector(force, |f| Some(f.tooth_force(id))),
+        };
+        Some((names.join("/"), result))
+    };
+    mechanism.joint_ids().filter_map(of).collect()
 }
 
 fn drives(solution: &Solution, forces: &Forces, bounds: &Bounds<'_>) -> IndexMap<String, DriveResult> {

@@ -144,6 +144,8 @@ pub(super) struct Chain {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tied {
     pub classes: Vec<TiedClass>,
+    /// Sliders whose positions count in it, as of a rack on a wheel.
+    pub slides: Vec<TiedSlide>,
     /// The constant angle, in radians.
     pub apart: f64,
 }
@@ -151,7 +153,12 @@ pub(super) struct Tied {
 impl Tied {
     /// The coefficient of an unknown.
     pub fn weight(&self, unknown: usize) -> f64 {
-        self.classes.iter().filter(|c| c.spin == Some(unknown)).map(|c| c.weight).sum()
+        let turning: f64 = self.classes.iter().filter(|c| c.spin == Some(unknown)).map(|c| c.weight).sum();
+        self.slides
+            .iter()
+            .filter(|s| s.slide == Some(unknown))
+            .map(|s| s.weight)
+            .fold(turning, |sum, weight| sum + weight)
     }
 }
 
@@ -162,6 +169,15 @@ pub(super) struct TiedClass {
     pub weight: f64,
     /// Index of its rotation among the unknowns; none for a known rotation.
     pub spin: Option<usize>,
+}
+
+/// A slider in a tie, with its weight in radians for each unit of length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct TiedSlide {
+    pub slider: usize,
+    pub weight: f64,
+    /// Index of its position among the unknowns; none for a known one.
+    pub slide: Option<usize>,
 }
 
 /// The sum of a loop's vectors in the bodies of one class.

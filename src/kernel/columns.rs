@@ -45,19 +45,21 @@ pub(super) fn turn_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, clo
     }
     for (tied, side) in closing.ties.iter().zip(&mut block.tie_sides) {
         for position in 0..R::LEN {
-            side[position] = tied.gap(|class| vector(&block.turns[class], position));
+            side[position] =
+                tied.gap(|class| vector(&block.turns[class], position), |slider| block.slides[slider][position]);
         }
     }
 }
 
 impl Tied {
-    /// The constant angle less the weighted sum of the classes' angles, in radians, in [−π, π].
-    fn gap(&self, direction: impl Fn(usize) -> Vector) -> f64 {
+    /// The constant angle less the weighted sum of the classes' angles and of the slides, in radians, in [−π, π].
+    fn gap(&self, direction: impl Fn(usize) -> Vector, slide: impl Fn(usize) -> f64) -> f64 {
         let angle = |c: &TiedClass| {
             let turned = direction(c.class);
             c.weight * libm::atan2(turned.y, turned.x)
         };
         let gap = self.apart - self.classes.iter().map(angle).sum::<f64>();
+        let gap = self.slides.iter().fold(gap, |gap, s| gap - s.weight * slide(s.slider));
         gap - TAU * (gap / TAU).round()
     }
 }

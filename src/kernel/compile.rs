@@ -1,6 +1,6 @@
 use super::action::{
     Action, Chain, Closing, Input, InputKind, Kernel, Member, Placing, Rail, Reducing, Seat, Shape, Tied, TiedClass,
-    Unknown,
+    TiedSlide, Unknown,
 };
 use super::classes::classes;
 use super::lengths::{Column, Recipe, Span, Spot, Sum, Way, ZERO, total};
@@ -267,6 +267,9 @@ impl<'a> Compiler<'a> {
         for chain in &group.loops {
             self.compile_loop(chain, &mut closing);
         }
+        for travel in group.gears(self.mechanism).filter_map(|tie| tie.travel.as_ref()) {
+            closing.size = closing.size.max(travel.radius);
+        }
         let scale = |unknown: &Unknown| if let Unknown::Slide(_) = unknown { 1.0 / closing.size } else { 1.0 };
         closing.scales = closing.unknowns.iter().map(scale).collect();
         let reduction = equations.reduction;
@@ -280,7 +283,15 @@ impl<'a> Compiler<'a> {
         if tie.as_fixed_angle().is_some() {
             return None;
         }
-        let mut tied = Tied { classes: Vec::new(), apart: angle(tie.constant) };
+        let mut tied = Tied { classes: Vec::new(), slides: Vec::new(), apart: angle(tie.constant) };
+        if let Some(travel) = &tie.travel {
+            tied.apart -= travel.start / travel.radius;
+            tied.slides.extend(travel.slides.iter().map(|&(SliderId(slider), sign)| TiedSlide {
+                slider,
+                weight: -sign / travel.radius,
+                slide: unknowns.iter().position(|u| *u == Unknown::Slide(slider)),
+            }));
+        }
         for &(body, weight) in &tie.terms {
             let class = self.classes[body.0];
             let spin = unknowns.iter().position(|u| *u == Unknown::Spin(class));

@@ -153,7 +153,7 @@ fn general_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Clo
             lanes.store_pair(rows, k, side);
         }
     }
-    tie_sides(lanes, closing, &mut block.tie_sides, omegas);
+    tie_sides(lanes, closing, &mut block.tie_sides, [omegas, speeds]);
     block.systems[closing.group].general = general_systems(columns, closing);
     solve_general(block, closing);
     for (unknown, rates) in closing.unknowns.iter().zip(&block.solution) {
@@ -171,7 +171,7 @@ fn general_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Clo
             lanes.store_pair(rows, k, side);
         }
     }
-    tie_sides(lanes, closing, &mut block.tie_sides, alphas);
+    tie_sides(lanes, closing, &mut block.tie_sides, [alphas, accelerations]);
     solve_general(block, closing);
     for (unknown, seconds) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
@@ -240,15 +240,18 @@ impl Chain {
     }
 }
 
-/// − Σ weight · rate of the classes whose rotation is known.
+/// − Σ weight · rate of the classes whose rotation is known, and of known slides.
 #[inline(always)]
-fn tie_sides<L: Lanes, R: Row>(lanes: L, closing: &Closing, sides: &mut [R], rates: &[R]) {
+fn tie_sides<L: Lanes, R: Row>(lanes: L, closing: &Closing, sides: &mut [R], [rates, speeds]: [&[R]; 2]) {
     for (tied, side) in closing.ties.iter().zip(sides) {
         for k in portions::<L, R>() {
             let known = tied.classes.iter().filter(|c| c.spin.is_none());
             let sum = known.fold(lanes.splat(0.0), |sum, c| {
                 sum.minus_product(lanes.splat(c.weight), lanes.load(&rates[c.class], k))
             });
+            let known = tied.slides.iter().filter(|s| s.slide.is_none());
+            let sum =
+                known.fold(sum, |sum, s| sum.minus_product(lanes.splat(s.weight), lanes.load(&speeds[s.slider], k)));
             lanes.store(side, k, sum);
         }
     }

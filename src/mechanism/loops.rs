@@ -14,7 +14,8 @@ use smallvec::SmallVec;
 /// Both have the same matrix. A closed contour has one arm more, from p_m back to p_1, and zero for the ends. The rates
 /// of driven sliders are known: their terms belong to the right sides.
 /// Links with a constant angle between them have one angular rate. Any other relation between angles, as of gears, gives
-/// one further equation, after those of the loops: Σ weight ω = 0, and the same for α.
+/// one further equation, after those of the loops: Σ weight ω = 0, and the same for α. That of a wheel on a rack has the rates of sliders, too:
+/// Σ weight ω − Σ ṡ / r = 0.
 /// The unknowns are the angular rates, then the slide rates, two for each loop and one for each such relation. The
 /// equations do not depend on the position.
 #[derive(Clone, Debug)]
@@ -103,8 +104,48 @@ pub struct Slide {
     pub angular: AngularRate,
 }
 
-/// The terms of a relation between angular rates, with their weights: their sum is zero.
-pub type AngularTerms = SmallVec<[(AngularRate, f64); 3]>;
+/// The terms of a relation between angular rates.
+#[derive(Clone, Debug)]
+pub struct AngularTerms {
+    /// The rates with their weights, whose sum is zero.
+    pub rates: SmallVec<[(AngularRate, f64); 3]>,
+    /// What slides as the bodies turn.
+    pub travel: Option<TravelTerms>,
+}
+
+/// Rates of sliders in a relation between angular rates.
+#[derive(Clone, Debug)]
+pub struct TravelTerms {
+    /// The sliders.
+    pub slides: SmallVec<[Travelling; 2]>,
+    /// The radius by which their rates are divided.
+    pub radius: f64,
+}
+
+/// A slider in a relation between angular rates.
+#[derive(Clone, Copy, Debug)]
+pub struct Travelling {
+    /// The slider.
+    pub slider: SliderId,
+    /// The index of its rate among the unknowns; `None` where it is driven, or known from another group.
+    pub unknown: Option<usize>,
+    /// The sign with which it counts.
+    pub sign: f64,
+}
+
+impl AngularTerms {
+    /// The coefficients of the unknowns, each with the unknown's index.
+    pub(crate) fn coefficients(&self) -> impl Iterator<Item = (usize, f64)> {
+        let turning = self.rates.iter().filter_map(|&(rate, weight)| match rate {
+            AngularRate::Unknown(unknown) => Some((unknown, weight)),
+            AngularRate::Known(_) => None,
+        });
+        let sliding = self.travel.iter().flat_map(|travel| {
+            travel.slides.iter().filter_map(|slide| Some((slide.unknown?, -slide.sign / travel.radius)))
+        });
+        turning.chain(sliding)
+    }
+}
 
 impl LoopTerms {
     /// Adds this loop's coefficients to the columns of the unknowns, with the vectors from one point to another and the
@@ -143,18 +184,11 @@ impl LoopEquations {
         let chains = group.loops.iter();
         let loops: Vec<LoopTerms> =
             chains.map(|chain| terms(mechanism, chain, &angular_rates, &mut slides, &mut unknowns)).collect();
-        let angular = group.gears(mechanism).map(|angular| {
-            let terms = angular.terms.iter();
-            terms.map(|&(body, weight)| (rate_of(&angular_rates, body), f64::from(weight))).collect()
-        });
-        Self {
-            reduction: reduction(&loops, unknowns),
-            loops,
-            angular: angular.collect(),
-            unknowns,
-            angular_rates,
-            slides,
-        }
+        let gears = group.gears(mechanism);
+        let angular =
+            gears.map(|angular| angular_terms(mechanism, group, angular, &angular_rates, &mut slides, &mut unknowns));
+        let angular = angular.collect();
+        Self { reduction: reduction(&loops, unknowns), loops, angular, unknowns, angular_rates, slides }
     }
 
     /// The index of the unknown that is the rate of `slider`; `None` for a slider of another group and for a driven
@@ -216,10 +250,8 @@ impl LoopEquations {
             }
         }
         for (index, terms) in self.angular.iter().enumerate() {
-            for (rate, weight) in terms {
-                if let AngularRate::Unknown(unknown) = *rate {
-                    matrix[(2 * self.loops.len() + index, unknown)] += weight;
-                }
+            for (unknown, coefficient) in terms.coefficients() {
+                matrix[(2 * self.loops.len() + index, unknown)] += coefficient;
             }
         }
         matrix
@@ -243,6 +275,37 @@ impl LoopEquations {
 
 fn rate_of(rates: &[(BodyId, AngularRate)], body: BodyId) -> AngularRate {
     rates.iter().find(|(b, _)| *b == body).map_or(AngularRate::Known(body), |(_, rate)| *rate)
+}
+
+/// The terms of a relation between angles; new slide rates get the indices from `unknowns` on.
+fn angular_terms(
+    mechanism: &Mechanism,
+    group: &Group,
+    angular: &AngularConstraint,
+    rates: &[(BodyId, AngularRate)],
+    slides: &mut Vec<(SliderId, usize)>,
+    unknowns: &mut usize,
+) -> AngularTerms {
+    let mut unknown_of = |slider: SliderId| {
+        let found = slides.iter().find(|(other, _)| *other == slider).map(|(_, unknown)| *unknown);
+        let is_own = || group.joints.iter().any(|&joint| mechanism.joint(joint).slider == Some(slider));
+        if found.is_some() || mechanism.slider(slider).drive.is_some() || !is_own() {
+            return found;
+        }
+        slides.push((slider, *unknowns));
+        *unknowns += 1;
+        Some(*unknowns - 1)
+    };
+    let travel = angular.travel.as_ref().map(|travel| TravelTerms {
+        slides: travel
+            .slides
+            .iter()
+            .map(|&(slider, sign)| Travelling { slider, unknown: unknown_of(slider), sign })
+            .collect(),
+        radius: travel.radius,
+    });
+    let terms = angular.terms.iter();
+    AngularTerms { rates: terms.map(|&(body, weight)| (rate_of(rates, body), f64::from(weight))).collect(), travel }
 }
 
 /// The terms of a loop; new slide rates get the indices from `unknowns` on.

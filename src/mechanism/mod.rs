@@ -27,8 +27,10 @@ pub use build::mechanism;
 pub use build::mechanism_with;
 pub(crate) use build::{mirrored_mechanism, renumber};
 pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};
-pub use joint::{AngularConstraint, DrivenSlide, Guide, Joint, Mark, Pitch, Slider};
-pub use loops::{AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate};
+pub use joint::{AngularConstraint, Belt, DrivenSlide, Guide, Joint, Mark, Pitch, Rack, Rolling, Slider, Travel};
+pub use loops::{
+    AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate, TravelTerms, Travelling,
+};
 
 use crate::Problem;
 use crate::geometry::{Ball, Point, Vector};

@@ -2,7 +2,9 @@ use super::moving::{BoundedMotion, Places, State};
 use crate::geometry::{
     self, Ball, Balls, Elements, LinearSystem, Numbers, Pair, Point, Reduced, UNIT_ROUNDOFF, Vector, Verified, refined,
 };
-use crate::mechanism::{AngularRate, AngularTerms, LoopEquations, LoopTerms, PointId, Reduction, SlideRate, SliderId};
+use crate::mechanism::{
+    AngularRate, AngularTerms, LoopEquations, LoopTerms, PointId, Reduction, SlideRate, SliderId, Travelling,
+};
 use smallvec::SmallVec;
 
 /// Solves a group's loop equations almost to the last digit ([`refined`]).
@@ -70,6 +72,15 @@ pub(crate) fn coefficient_errors(equations: &LoopEquations, places: &impl Places
             if let SlideRate::Unknown(unknown) = slide.rate {
                 let rounded = places.rounded_guide(slide.slider);
                 add(unknown, places.guide(slide.slider).errors_from(rounded));
+            }
+        }
+    }
+    for (terms, row) in equations.angular.iter().zip(errors[2 * equations.loops.len() * width..].chunks_mut(width)) {
+        let Some(travel) = &terms.travel else { continue };
+        for Travelling { unknown, sign, .. } in &travel.slides {
+            if let Some(unknown) = unknown {
+                let exact = Ball::from(-sign) / places.given(travel.radius);
+                row[*unknown] += exact.error_from(-sign / travel.radius);
             }
         }
     }
@@ -187,7 +198,11 @@ pub(super) fn velocity_sides(equations: &LoopEquations, places: &impl Places, st
     };
     Sides {
         loops: equations.loops.iter().map(side).collect(),
-        angular: equations.angular.iter().map(|terms| less_angular(terms, Ball::default(), omega)).collect(),
+        angular: {
+            let travels = |slide: &Travelling| slide.unknown.is_none().then(|| state.slide(slide.slider).velocity);
+            let angular = equations.angular.iter();
+            angular.map(|terms| less_angular(terms, places, Ball::default(), omega, travels)).collect()
+        },
     }
 }
 
@@ -204,7 +219,11 @@ pub(super) fn acceleration_sides(
     };
     Sides {
         loops: equations.loops.iter().map(|terms| acceleration_side(terms, places, state, rates)).collect(),
-        angular: equations.angular.iter().map(|terms| less_angular(terms, Ball::default(), alpha)).collect(),
+        angular: {
+            let travels = |slide: &Travelling| slide.unknown.is_none().then(|| state.slide(slide.slider).acceleration);
+            let angular = equations.angular.iter();
+            angular.map(|terms| less_angular(terms, places, Ball::default(), alpha, travels)).collect()
+        },
     }
 }
 
@@ -222,13 +241,28 @@ fn residuals(equations: &LoopEquations, places: &impl Places, sides: &Sides, x: 
     let angular = equations.angular.iter().zip(&sides.angular);
     Sides {
         loops: loops.map(|(terms, &side)| less_rates(terms, places, side, angular_rate, slide_rate)).collect(),
-        angular: angular.map(|(terms, &side)| less_angular(terms, side, angular_rate)).collect(),
+        angular: angular
+            .map(|(terms, &side)| {
+                less_angular(terms, places, side, angular_rate, |slide| slide.unknown.map(|unknown| x[unknown]))
+            })
+            .collect(),
     }
 }
 
-/// side − Σ weight · rate, of those rates that `rate_of` gives.
-fn less_angular(terms: &AngularTerms, side: Ball, rate_of: impl Fn(AngularRate) -> Option<Ball>) -> Ball {
-    terms.iter().fold(side, |side, &(rate, weight)| rate_of(rate).map_or(side, |x| side - x * weight.into()))
+/// side − Σ weight · rate + Σ ṡ / r, of those rates that the functions give.
+fn less_angular(
+    terms: &AngularTerms,
+    places: &impl Places,
+    side: Ball,
+    rate_of: impl Fn(AngularRate) -> Option<Ball>,
+    speed_of: impl Fn(&Travelling) -> Option<Ball>,
+) -> Ball {
+    let rates = terms.rates.iter();
+    let side = rates.fold(side, |side, &(rate, weight)| rate_of(rate).map_or(side, |x| side - x * weight.into()));
+    let Some(travel) = &terms.travel else { return side };
+    let radius = places.given(travel.radius);
+    let slides = travel.slides.iter();
+    slides.fold(side, |side, slide| speed_of(slide).map_or(side, |x| side + x * slide.sign.into() / radius))
 }
 
 /// side − Σ ω J r − Σ ṡ u, of those ω and ṡ that the functions give.

@@ -1,4 +1,4 @@
-//! Groups without a loop: wheels and arms whose angles the meshes alone tell.
+//! Groups without a loop: wheels, arms and racks whose angles and slides the meshes alone tell.
 
 use super::closing::Assembled;
 use super::frames::{Frames, pinned, placement_in_compound};
@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 ///
 /// Meshes are equations between angles, z₁ θ₁ + z₂ θ₂ − (z₁ + z₂) θ_carrier = z₂ · phase. Taken as directions, which know no whole turns, they
 /// would have an assembly for each tooth by which a wheel may be shifted. Here they are taken as numbers, with the whole turns of drives
-/// and of wheels before; so there is one, and a train that goes round comes back shifted by as many teeth as it has gone on.
+/// and of wheels before, and racks by the length that they have slid; so there is one, and a train that goes round comes back shifted by as many teeth as it has gone on.
 pub(super) fn start(
     mechanism: &Mechanism,
     group: &Group,
@@ -37,15 +37,29 @@ pub(super) fn start(
                 AngularRate::Known(other) => right[row] -= weight * known.degrees(other)?,
             }
         }
+        if let (Some(travel), Some(terms)) = (&relation.travel, &equations.angular[row].travel) {
+            let degrees = (1.0 / travel.radius).to_degrees();
+            right[row] -= travel.start * degrees;
+            for slide in &terms.slides {
+                match slide.unknown {
+                    Some(unknown) => matrix[(row, unknown)] -= slide.sign * degrees,
+                    None => right[row] += slide.sign * slides[slide.slider.0] * degrees,
+                }
+            }
+        }
     }
-    let angles = matrix.lu().solve(&right)?;
+    let found = matrix.lu().solve(&right)?;
+    let mut slides = slides.to_vec();
+    for &(slider, unknown) in &equations.slides {
+        slides[slider.0] = found[unknown];
+    }
     let mut frames = known.clone();
-    for (unknown, &angle) in angles.iter().enumerate() {
-        let link = equations.link_of(unknown)?;
+    for (unknown, &angle) in found.iter().enumerate() {
+        let Some(link) = equations.link_of(unknown) else { continue };
         frames.set_compound(mechanism, link, pinned(turn_of_degrees(angle), Point::origin(), Point::origin()));
         frames.set_degrees(link, angle);
     }
-    Some(Assembled { frames, slides: slides.to_vec(), gap: f64::INFINITY })
+    Some(Assembled { frames, slides, gap: f64::INFINITY })
 }
 
 /// The angles with their whole turns that an assembly has of these bodies.

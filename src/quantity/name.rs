@@ -6,7 +6,7 @@ use crate::Problem;
 use crate::centers::{LinkPair, Permanent};
 use crate::construction::{Construction, NumberedStep, Rate, Solution, coincident_name};
 use crate::forces::Compiled;
-use crate::mechanism::{BodyId, GROUND, Mechanism, Pitch, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, Rolling, SliderId};
 use crate::message::Message;
 use crate::scene::{Component, Head, QuantityName};
 use crate::sheet::{Order, Sheet};
@@ -143,8 +143,8 @@ pub struct Pole {
     pub of: PoleOf,
     /// A point of the mechanism, from which it is found.
     pub near: PointId,
-    /// Of wheels that mesh: where they roll on each other.
-    pub pitch: Option<Pitch>,
+    /// Of wheels that mesh, and of a wheel and a rack: how they roll on each other.
+    pub rolling: Option<Rolling>,
     /// How many points the mechanism has.
     pub points: usize,
 }
@@ -345,11 +345,11 @@ impl Finder<'_> {
             _ => return Err(self.form()),
         };
         let near = self.mechanism.body(link).points.first().copied().unwrap_or(PointId(0));
-        let pitch = match of {
-            PoleOf::Center(_, Some(Permanent::Mesh(mesh))) => self.mechanism.joint(mesh).pitch,
+        let rolling = match of {
+            PoleOf::Center(_, Some(Permanent::Mesh(mesh))) => self.mechanism.joint(mesh).rolling(),
             _ => None,
         };
-        Ok(Pole { name: name.to_owned(), of, near, pitch, points: self.mechanism.points.len() })
+        Ok(Pole { name: name.to_owned(), of, near, rolling, points: self.mechanism.points.len() })
     }
 
     /// The place of a name, which may be a pole.

@@ -139,9 +139,8 @@ fn center(pole: &Pole, pair: LinkPair, permanent: Option<Permanent>, state: &imp
     match permanent {
         Some(Permanent::Pin(pin)) => return Some(Place::At(state.place(pin))),
         Some(Permanent::Mesh(_)) => {
-            return pole
-                .pitch
-                .and_then(|pitch| place(pitch.point(pitch.centers.map(|at| state.place(at).coords.into()))));
+            let at = |point: PointId| state.place(point).coords.into();
+            return pole.rolling.and_then(|rolling| place(rolling.point(at, |guide| state.guide(guide).into(), |x| x)));
         }
         Some(Permanent::Guide(slider)) => return far(quarter_turn(state.guide(slider))),
         Some(Permanent::Alike) | None => {}

@@ -343,7 +343,7 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
     check_points(given_by, &names, &coordinates)?;
     let sliders = sliders(given_by, &names, &coordinates, file.sliders.unwrap_or_default(), of_links.pushes)?;
     let is_drawn = given_by == GivenBy::Drawing;
-    let gears = gears(is_drawn, &names, &coordinates, file.gears.unwrap_or_default())?;
+    let gears = gears(is_drawn, &names, &coordinates, &sliders, file.gears.unwrap_or_default())?;
     let known = known(given_by, &names, file.known)?;
     check_given_once(&names, &known, &sliders)?;
     let fields = LoadFields {
@@ -354,8 +354,9 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
         springs: file.springs,
     };
     let loads = loads(given_by, &names, file.units, fields)?;
-    if loads.is_some() && !gears.is_empty() {
-        return Err(Wrong::key(&["gears"], says::no_forces_of_gears()).hint(says::remove_gears_or_loads()));
+    if let Some(index) = gears.iter().position(|gear| loads.is_some() && gear.belt.is_some()) {
+        let message = says::no_forces_of_belts();
+        return Err(Wrong::key(&["gears", &index.to_string(), "belt"], message).hint(says::remove_belts_or_loads()));
     }
     let near = near(given_by, &names, file.near)?;
     check_motions(&names)?;

@@ -273,8 +273,24 @@ messages! { "scene":
     pin_the_wheel;
     two_wheel_pins(wheel, carrier, first, second);
     one_wheel_pin;
-    no_forces_of_gears;
-    remove_gears_or_loads;
+    two_racks;
+    one_rack;
+    rack_without_slider(rack, carrier);
+    rack_not_parallel(rack, carrier);
+    let_rack_slide;
+    teeth_of_pinion(most);
+    no_radius(radius);
+    give_radius;
+    radius_without_rack;
+    position_without_rack;
+    give_phase;
+    phase_of_rack;
+    give_position_of_rack;
+    belt_on_rack;
+    belt_without_teeth;
+    teeth_of_belt(most);
+    no_forces_of_belts;
+    remove_belts_or_loads;
 
     // Masses and loads.
     mass_and_weight(link);
@@ -370,6 +386,7 @@ messages! { "scene":
     expects_link_motion;
     expects_slider;
     expects_gear;
+    expects_teeth;
     expects_scene;
     expects_figure;
     expects_centers;

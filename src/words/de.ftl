@@ -938,8 +938,24 @@ scene-wheel_not_on_carrier = {$wheel} hat keinen Zapfen auf {$carrier}, das Glie
 scene-pin_the_wheel = nennen Sie die Mitte des Rads auf beiden: einen Punkt des Rads und des Trägers
 scene-two_wheel_pins = {$wheel} und {$carrier} haben {$first} und {$second} gemeinsam, sind also starr verbunden
 scene-one_wheel_pin = ein Rad dreht sich um einen Punkt seines Trägers
-scene-no_forces_of_gears = von Getrieben mit Zahnradpaaren werden keine Kräfte berechnet
-scene-remove_gears_or_loads = entfernen Sie Massen, `gravity`, `forces` und `springs` aus der Szene, oder ihre `gears`
+scene-two_racks = zwei Zahnstangen können nicht kämmen
+scene-one_rack = eine Zahnstange kämmt mit einem Rad; schreiben Sie anstelle eines "rack" die Zähnezahl des Rads
+scene-rack_without_slider = nichts lässt {$rack}, die Zahnstange, gegen {$carrier} gleiten, das Glied mit dem Rad
+scene-rack_not_parallel = {$rack}, die Zahnstange, und {$carrier}, das Glied mit dem Rad, gleiten auf dem Gestell in zwei Richtungen
+scene-let_rack_slide = geben Sie einen Schieber mit der Zahnstange auf dem Steg an, oder mit dem Steg auf der Zahnstange; oder je einen auf dem Gestell, längs paralleler Führungen
+scene-teeth_of_pinion = geben Sie eine ganze Zahl von 1 bis {$most} an: Ein Rad auf einer Zahnstange hat seine Zähne außen
+scene-no_radius = {$radius} ist kein Radius
+scene-give_radius = geben Sie den Radius des Wälzkreises an, eine Länge über 0
+scene-radius_without_rack = `radius` gehört zu einem Rad auf einer Zahnstange oder mit einem Riemen: Andere Räder haben ihre Radien vom Abstand ihrer Mitten
+scene-position_without_rack = `position` gehört zu einem Rad auf einer Zahnstange
+scene-give_phase = der Winkel eines Rads gegen ein anderes ist `phase`
+scene-phase_of_rack = `phase` gehört zu zwei Rädern: Eine Zahnstange hat keinen Winkel
+scene-give_position_of_rack = `position` sagt, wo die Zahnstange ist, wenn das Rad auf 0 steht
+scene-belt_on_rack = um eine Zahnstange läuft kein Riemen
+scene-belt_without_teeth = ein Riemen hat keinen Eingriffswinkel
+scene-teeth_of_belt = geben Sie eine ganze Zahl von 1 bis {$most} an: Zähne von Kettenrädern, oder ganze Zahlen im Verhältnis der Radien
+scene-no_forces_of_belts = wie stark ein Riemen gespannt ist, ist nicht bekannt; deshalb werden Kräfte von Getrieben mit Riemen nicht berechnet
+scene-remove_belts_or_loads = entfernen Sie Massen, `gravity`, `forces` und `springs` aus der Szene, oder ihre Riemen
 
 # Masses and loads.
 
@@ -1039,6 +1055,7 @@ scene-expects_motion = eine Bewegung wie {"{"} "velocity": [x, y], "acceleration
 scene-expects_link_motion = eine Bewegung wie {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = ein Schieber wie {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_gear = ein Zahnradpaar wie {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
+scene-expects_teeth = eine Zähnezahl, oder "rack"
 scene-expects_scene = eine Szene wie {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = ein Bild wie {"{"} "panels": ["scheme", "velocity"] {"}"}
 scene-expects_centers = "all", oder Pole wie ["P(2,ground)", "P(1,3)"]

@@ -968,8 +968,24 @@ scene-wheel_not_on_carrier = {$wheel} has no pin on {$carrier}, which carries th
 scene-pin_the_wheel = name the wheel's centre on both: a point of the wheel and of the carrier
 scene-two_wheel_pins = {$wheel} and {$carrier} have both {$first} and {$second} in common, so they are rigid
 scene-one_wheel_pin = a wheel turns about one point of its carrier
-scene-no_forces_of_gears = forces are not computed of mechanisms with gear pairs
-scene-remove_gears_or_loads = remove masses, `gravity`, `forces` and `springs` from the scene, or its `gears`
+scene-two_racks = two racks cannot mesh
+scene-one_rack = a rack meshes with a wheel; write the wheel's number of teeth in place of one "rack"
+scene-rack_without_slider = nothing lets {$rack}, the rack, slide against {$carrier}, which carries the wheel
+scene-rack_not_parallel = {$rack}, the rack, and {$carrier}, which carries the wheel, slide along the ground in two directions
+scene-let_rack_slide = give a slider with the rack on the carrier, or with the carrier on the rack; or one of each on the ground, along parallel guides
+scene-teeth_of_pinion = give a whole number from 1 to {$most}: a wheel on a rack has its teeth outside
+scene-no_radius = {$radius} is no radius
+scene-give_radius = give the radius of the wheel's pitch circle, a length above 0
+scene-radius_without_rack = `radius` belongs to a wheel on a rack or with a belt: other wheels have their radii from the distance of their centres
+scene-position_without_rack = `position` belongs to a wheel on a rack
+scene-give_phase = the angle of one wheel against another is `phase`
+scene-phase_of_rack = `phase` belongs to two wheels: a rack has no angle
+scene-give_position_of_rack = `position` says where the rack is when the wheel stands at 0
+scene-belt_on_rack = no belt runs around a rack
+scene-belt_without_teeth = a belt has no pressure angle
+scene-teeth_of_belt = give a whole number from 1 to {$most}: teeth of a chain's wheels, or whole numbers in the ratio of the radii
+scene-no_forces_of_belts = how hard a belt is strained is not known, so forces are not computed of mechanisms with belts
+scene-remove_belts_or_loads = remove masses, `gravity`, `forces` and `springs` from the scene, or its belts
 
 # Masses and loads.
 
@@ -1069,6 +1085,7 @@ scene-expects_motion = a motion as {"{"} "velocity": [x, y], "acceleration": [x,
 scene-expects_link_motion = a motion as {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = a slider as {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_gear = a gear pair as {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
+scene-expects_teeth = a number of teeth, or "rack"
 scene-expects_scene = a scene as {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = a figure as {"{"} "panels": ["scheme", "velocity"] {"}"}
 scene-expects_centers = "all", or centres as ["P(2,ground)", "P(1,3)"]

@@ -936,8 +936,24 @@ scene-wheel_not_on_carrier = {$wheel} no tiene pasador en {$carrier}, que lleva 
 scene-pin_the_wheel = nombre el centro de la rueda en ambos: un punto de la rueda y del portador
 scene-two_wheel_pins = {$wheel} y {$carrier} tienen en común {$first} y {$second}, así que son rígidos
 scene-one_wheel_pin = una rueda gira sobre un punto de su portador
-scene-no_forces_of_gears = no se calculan fuerzas de mecanismos con pares de engranajes
-scene-remove_gears_or_loads = quite masas, `gravity`, `forces` y `springs` de la escena, o sus `gears`
+scene-two_racks = dos cremalleras no pueden engranar
+scene-one_rack = una cremallera engrana con una rueda; escriba el número de dientes de la rueda en lugar de un "rack"
+scene-rack_without_slider = nada deja deslizar {$rack}, la cremallera, respecto a {$carrier}, que lleva la rueda
+scene-rack_not_parallel = {$rack}, la cremallera, y {$carrier}, que lleva la rueda, deslizan sobre el bastidor en dos direcciones
+scene-let_rack_slide = dé una corredera con la cremallera sobre el portador, o con el portador sobre la cremallera; o una de cada uno sobre el bastidor, por guías paralelas
+scene-teeth_of_pinion = dé un número entero de 1 a {$most}: una rueda sobre una cremallera tiene los dientes por fuera
+scene-no_radius = {$radius} no es un radio
+scene-give_radius = dé el radio de la circunferencia primitiva, una longitud mayor que 0
+scene-radius_without_rack = `radius` es de una rueda sobre una cremallera o con una correa: otras ruedas tienen sus radios por la distancia entre centros
+scene-position_without_rack = `position` es de una rueda sobre una cremallera
+scene-give_phase = el ángulo de una rueda respecto a otra es `phase`
+scene-phase_of_rack = `phase` es de dos ruedas: una cremallera no tiene ángulo
+scene-give_position_of_rack = `position` dice dónde está la cremallera cuando la rueda está a 0
+scene-belt_on_rack = ninguna correa rodea una cremallera
+scene-belt_without_teeth = una correa no tiene ángulo de presión
+scene-teeth_of_belt = dé un número entero de 1 a {$most}: dientes de ruedas de cadena, o números enteros en la razón de los radios
+scene-no_forces_of_belts = no se sabe cuánto está tensada una correa; por eso no se calculan fuerzas de mecanismos con correas
+scene-remove_belts_or_loads = quite de la escena masas, `gravity`, `forces` y `springs`, o sus correas
 
 # Masses and loads.
 
@@ -1037,6 +1053,7 @@ scene-expects_motion = un movimiento como {"{"} "velocity": [x, y], "acceleratio
 scene-expects_link_motion = un movimiento como {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = una corredera como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_gear = un par de engranajes como {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
+scene-expects_teeth = un número de dientes, o "rack"
 scene-expects_scene = una escena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = una figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
 scene-expects_centers = "all", o centros como ["P(2,ground)", "P(1,3)"]

@@ -938,8 +938,24 @@ scene-wheel_not_on_carrier = {$wheel} não tem pino em {$carrier}, que leva o pa
 scene-pin_the_wheel = nomeie o centro da roda em ambos: um ponto da roda e do suporte
 scene-two_wheel_pins = {$wheel} e {$carrier} têm em comum {$first} e {$second}, portanto são rígidos
 scene-one_wheel_pin = uma roda gira em torno de um ponto do seu suporte
-scene-no_forces_of_gears = não se calculam forças de mecanismos com pares de engrenagens
-scene-remove_gears_or_loads = remova massas, `gravity`, `forces` e `springs` da cena, ou suas `gears`
+scene-two_racks = duas cremalheiras não podem engrenar
+scene-one_rack = uma cremalheira engrena com uma roda; escreva o número de dentes da roda em lugar de um "rack"
+scene-rack_without_slider = nada deixa {$rack}, a cremalheira, deslizar em relação a {$carrier}, que leva a roda
+scene-rack_not_parallel = {$rack}, a cremalheira, e {$carrier}, que leva a roda, deslizam na base em duas direções
+scene-let_rack_slide = dê um cursor com a cremalheira sobre o portador, ou com o portador sobre a cremalheira; ou um de cada sobre a base, por guias paralelas
+scene-teeth_of_pinion = dê um número inteiro de 1 a {$most}: uma roda sobre uma cremalheira tem os dentes por fora
+scene-no_radius = {$radius} não é um raio
+scene-give_radius = dê o raio da circunferência primitiva, um comprimento acima de 0
+scene-radius_without_rack = `radius` é de uma roda sobre uma cremalheira ou com uma correia: outras rodas têm seus raios pela distância entre centros
+scene-position_without_rack = `position` é de uma roda sobre uma cremalheira
+scene-give_phase = o ângulo de uma roda em relação a outra é `phase`
+scene-phase_of_rack = `phase` é de duas rodas: uma cremalheira não tem ângulo
+scene-give_position_of_rack = `position` diz onde a cremalheira está quando a roda está em 0
+scene-belt_on_rack = nenhuma correia envolve uma cremalheira
+scene-belt_without_teeth = uma correia não tem ângulo de pressão
+scene-teeth_of_belt = dê um número inteiro de 1 a {$most}: dentes de rodas de corrente, ou números inteiros na razão dos raios
+scene-no_forces_of_belts = não se sabe quanto uma correia está tensionada; por isso não se calculam forças de mecanismos com correias
+scene-remove_belts_or_loads = tire da cena massas, `gravity`, `forces` e `springs`, ou suas correias
 
 # Masses and loads.
 
@@ -1039,6 +1055,7 @@ scene-expects_motion = um movimento como {"{"} "velocity": [x, y], "acceleration
 scene-expects_link_motion = um movimento como {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = um cursor como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_gear = um par de engrenagens como {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
+scene-expects_teeth = um número de dentes, ou "rack"
 scene-expects_scene = uma cena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = uma figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
 scene-expects_centers = "all", ou centros como ["P(2,ground)", "P(1,3)"]

@@ -114,9 +114,9 @@ impl Writer<'_> {
         }
         for id in self.mechanism.joint_ids() {
             let joint = self.mechanism.joint(id);
-            if let Some(pitch) = joint.pitch.filter(|_| joint.bodies.iter().all(|body| links.contains(body))) {
+            if let Some(rolling) = joint.rolling().filter(|_| joint.bodies.iter().all(|body| links.contains(body))) {
                 let exact = |point: PointId| Pair::between(self.construction.origin, self.pose.point(point));
-                let exact = pitch.point(pitch.centers.map(exact));
+                let exact = rolling.point(exact, |guide| self.pose.guide(guide).into(), Ball::from);
                 let role = OperationRole::Center(CenterId(self.drawn_centers().all.len()));
                 let place = self.plot_exact(Sheet::Centers, role, exact);
                 let at = Place::At(self.construction.origin + exact.rounded());

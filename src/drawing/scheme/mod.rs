@@ -7,6 +7,7 @@ mod links;
 mod loads;
 pub(super) mod on_paper;
 mod points;
+mod rack;
 pub(super) mod sliders;
 mod values;
 mod wheels;

@@ -239,6 +239,7 @@ pub(super) fn circles(mechanism: &Mechanism, pose: &Pose) -> impl Iterator<Item 
     let marks = mechanism.joints.iter().flat_map(|joint| joint.marks.iter().copied());
     marks.filter_map(|mark| match mark {
         Mark::Circle { center, towards, part } => Some((center, part * pose.arm(center, towards).norm())),
+        Mark::Wheel { center, radius } => Some((center, radius)),
         Mark::Block(_) => None,
     })
 }

@@ -64,7 +64,7 @@ impl SchemeOnPaper<'_> {
         let marks = self.mechanism.joints.iter().flat_map(|joint| joint.marks.iter().copied());
         let blocks = marks.filter_map(|mark| match mark {
             Mark::Block(slider) => Some(slider),
-            Mark::Circle { .. } => None,
+            Mark::Circle { .. } | Mark::Wheel { .. } => None,
         });
         let (back, front): (Vec<SliderId>, Vec<SliderId>) =
             blocks.partition(|&id| self.mechanism.slider(id).on == GROUND);

@@ -45,6 +45,12 @@ impl SchemeOnPaper<'_> {
                 self.mesh(canvas, joint, pitch);
                 self.pitch_point(canvas, JointId(index), pitch);
             }
+            if let Some(rack) = joint.rack {
+                self.rack(canvas, joint, rack);
+            }
+            if let Some(belt) = joint.belt {
+                self.belt(canvas, belt);
+            }
         }
     }
 

@@ -1,10 +1,15 @@
-//! Gear pairs: two wheels on pins of one carrier that roll on each other.
+//! Gear pairs: two wheels on pins of one carrier that roll on each other, a wheel on a rack, and wheels with a belt.
 
-use super::{AngularConstraint, Joint, Mark, Pitch};
-use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, says};
+use super::{AngularConstraint, Belt, Guide, Joint, Mark, Pitch, Rack, Travel};
+use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, cross};
+use crate::mechanism::shape::direction;
+use crate::mechanism::{BodyId, Mechanism, PointId, SliderId, says};
 use crate::message::Message;
-use crate::scene::{self, GivenBy, On, Scene};
-use smallvec::smallvec;
+use crate::scene::{self, GivenBy, Scene};
+use smallvec::{SmallVec, smallvec};
+
+/// The radius of the larger of two wheels with a belt whose size is not given, in parts of the distance of their centres.
+const LARGER_WHEEL: f64 = 0.3;
 
 /// Two radii of a rim that differ by more than this part of the larger one are no shift of its teeth.
 const UNLIKE: f64 = 0.03;
@@ -15,32 +20,139 @@ pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
     mechanism.joints.extend(pairs);
 }
 
-/// The joint of a pair: z₁ θ₁ + z₂ θ₂ − (z₁ + z₂) θ_carrier = z₂ · phase, in the smallest whole numbers.
+/// The joint of a pair.
 fn joint(mechanism: &Mechanism, gear: &scene::Gear) -> Option<Joint> {
-    let body = |on: &On| match on {
-        On::Ground => Some(GROUND),
-        On::Link(name) => mechanism.link(name),
+    let wheels = [mechanism.body_named(&gear.wheels[0])?, mechanism.body_named(&gear.wheels[1])?];
+    let carrier = mechanism.body_named(&gear.on)?;
+    let joint = Joint {
+        letter: 'G',
+        bodies: wheels,
+        pin: None,
+        slider: None,
+        angular: None,
+        pitch: None,
+        rack: None,
+        belt: None,
+        marks: smallvec![],
     };
-    let wheels: [BodyId; 2] = [body(&gear.wheels[0])?, body(&gear.wheels[1])?];
+    match &gear.rack {
+        Some(rack) => of_rack(mechanism, gear, rack, carrier, joint),
+        None => of_wheels(mechanism, gear, carrier, joint),
+    }
+}
+
+/// Two wheels: z₁ θ₁ + z₂ θ₂ − (z₁ + z₂) θ_carrier = z₂ · phase, in the smallest whole numbers; with an open belt z₂ counts as negative.
+fn of_wheels(mechanism: &Mechanism, gear: &scene::Gear, carrier: BodyId, joint: Joint) -> Option<Joint> {
     let centers = [mechanism.point(&gear.centers[0])?, mechanism.point(&gear.centers[1])?];
     let common = common_divisor(gear.teeth[0], gear.teeth[1]);
     let [first, second] = gear.teeth.map(|teeth| teeth / common);
+    let second = if gear.belt == Some(scene::Belt::Open) { -second } else { second };
+    let angular = AngularConstraint::degrees(
+        smallvec![(joint.bodies[0], first), (joint.bodies[1], second), (carrier, -(first + second))],
+        f64::from(second) * gear.phase_deg,
+    );
+    let joint = Joint { angular: Some(angular), ..joint };
+    if let Some(kind) = gear.belt {
+        let away = distance(mechanism, carrier, centers).unwrap_or(0.0);
+        let teeth = [first, second];
+        let [first, second] = teeth.map(|teeth| f64::from(teeth.abs()));
+        // A belt does not say how large its wheels are.
+        let larger = LARGER_WHEEL * away / first.max(second);
+        let unit = gear.belt_radius.map_or(larger, |radius| radius / first);
+        let radii = [first * unit, second * unit];
+        let marks = [0, 1].map(|index| Mark::Wheel { center: centers[index], radius: radii[index] });
+        let belt = Belt { centers, radii, teeth, is_crossed: kind == scene::Belt::Crossed };
+        return Some(Joint { belt: Some(belt), marks: marks.into(), ..joint });
+    }
     let pitch = Pitch { centers, teeth: [first, second], all_teeth: gear.teeth, pressure_deg: gear.pressure_deg };
     let share: f64 = pitch.share();
     let circle =
         |center: usize, part: f64| Mark::Circle { center: centers[center], towards: centers[1 - center], part };
     Some(Joint {
-        letter: 'G',
-        bodies: wheels,
-        pin: None,
-        slider: None,
-        angular: Some(AngularConstraint::degrees(
-            smallvec![(wheels[0], first), (wheels[1], second), (body(&gear.on)?, -(first + second))],
-            f64::from(second) * gear.phase_deg,
-        )),
         pitch: Some(pitch),
         marks: smallvec![circle(0, share.abs()), circle(1, (1.0 - share).abs())],
+        ..joint
     })
+}
+
+/// A wheel and its rack: r (θ − θ_carrier) = ± (s − position), with + where the pitch line lies to the right and the rack is what slides.
+fn of_rack(
+    mechanism: &Mechanism,
+    gear: &scene::Gear,
+    given: &scene::RackOf,
+    carrier: BodyId,
+    joint: Joint,
+) -> Option<Joint> {
+    let center = mechanism.point(&gear.centers[given.wheel])?;
+    let last = SliderId(*given.sliders.last()?);
+    let side = side(mechanism, given, carrier, center)?;
+    let along = guide_in_place(mechanism, last);
+    let slides = given.sliders.iter().map(|&index| {
+        let id = SliderId(index);
+        let slider = mechanism.slider(id);
+        // As the carrier goes on along a guide, the rack falls back.
+        let onwards = if slider.link == carrier { -side } else { side };
+        let is_against = guide_in_place(mechanism, id).dot(&along) < 0.0;
+        (id, if is_against { -onwards } else { onwards })
+    });
+    let slides: SmallVec<[(SliderId, f64); 2]> = slides.collect();
+    let start = slides.last()?.1 * given.position;
+    let travel = Travel { slides, start, radius: given.radius };
+    let terms = smallvec![(carrier, -1), (joint.bodies[given.wheel], 1)];
+    let rack =
+        Rack { wheel: given.wheel, center, slider: last, side, radius: given.radius, pressure_deg: gear.pressure_deg };
+    Some(Joint {
+        angular: Some(AngularConstraint { travel: Some(travel), ..AngularConstraint::degrees(terms, 0.0) }),
+        rack: Some(rack),
+        marks: smallvec![Mark::Wheel { center, radius: given.radius }],
+        ..joint
+    })
+}
+
+/// +1 where the guide of a rack, or of the carrier along it, lies to the right of the wheel's centre, looking along it, or passes through the
+/// centre; −1 to the left.
+fn side(mechanism: &Mechanism, given: &scene::RackOf, carrier: BodyId, center: PointId) -> Option<f64> {
+    let last = SliderId(*given.sliders.last()?);
+    let slider = mechanism.slider(last);
+    let off = match mechanism.given_by {
+        GivenBy::Drawing => {
+            let [at, center] = [slider.at, center].map(|point| mechanism.given[point.0]);
+            cross(guide_in_place(mechanism, last), center? - at?)
+        }
+        GivenBy::Lengths => {
+            let local = |body: BodyId| mechanism.body(body).local_of(center);
+            let (through, along) = slider.line();
+            // A carrier that slides: its centre's place in the frame of the guide's body, as far across the guide as in every position.
+            let carried = |id: SliderId| -> Option<Point> {
+                let slider = mechanism.slider(id);
+                Some(slider.line().0 + slider.turn() * (local(carrier)? - mechanism.local(carrier, slider.at)))
+            };
+            match *given.sliders.as_slice() {
+                [only] if slider.link == carrier => cross(along, carried(SliderId(only))? - through),
+                [_] => cross(along, local(carrier)? - through),
+                [first, ..] => cross(along, carried(SliderId(first))? - through),
+                [] => return None,
+            }
+        }
+    };
+    let size = distance_across(mechanism, carrier, given.radius);
+    Some(if off < -UNIT_ROUNDOFF * 64.0 * size { -1.0 } else { 1.0 })
+}
+
+/// A length by which distances across a guide are judged to be none.
+fn distance_across(mechanism: &Mechanism, carrier: BodyId, radius: f64) -> f64 {
+    let body = mechanism.body(carrier);
+    let places = body.points.iter().filter_map(|point| mechanism.given[point.0]).chain(body.local.iter().copied());
+    places.map(|place| place.coords.amax()).fold(radius, f64::max)
+}
+
+/// The direction of a guide as far as it is known before positions are: in the frame of its body, or as drawn.
+fn guide_in_place(mechanism: &Mechanism, id: SliderId) -> Vector {
+    let place = |point: PointId| mechanism.given[point.0];
+    match mechanism.slider(id).guide {
+        Guide::Local { direction, .. } | Guide::Drawn(direction) => direction,
+        Guide::DrawnBetween(a, b) => place(b).zip(place(a)).map_or_else(Vector::x, |(b, a)| direction(b - a)),
+    }
 }
 
 /// Warnings of rims that would have to have two radii: the same number of teeth of a link in two pairs whose centre distances do not fit together.

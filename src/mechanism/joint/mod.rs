@@ -34,6 +34,10 @@ pub struct Joint {
     pub angular: Option<AngularConstraint>,
     /// Where its bodies roll on each other, for a gear pair.
     pub pitch: Option<Pitch>,
+    /// The line on which one of its bodies rolls, for a wheel and its rack.
+    pub rack: Option<Rack>,
+    /// The belt that runs around its bodies, for wheels with one.
+    pub belt: Option<Belt>,
     /// The marks by which it is drawn.
     pub marks: SmallVec<[Mark; 2]>,
 }
@@ -66,6 +70,79 @@ impl Pitch {
     }
 }
 
+/// Where a wheel rolls on the pitch line of a rack: the foot of the perpendicular from its centre. It is their instant centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rack {
+    /// Which of the joint's two bodies is the wheel.
+    pub wheel: usize,
+    /// The wheel's centre, on its carrier.
+    pub center: PointId,
+    /// The slider whose guide has the direction of the pitch line.
+    pub slider: SliderId,
+    /// +1 where the line lies to the right of the wheel's centre, looking along the guide, −1 to the left.
+    pub side: f64,
+    /// The radius of the wheel's pitch circle.
+    pub radius: f64,
+    /// The angle of the line of action from the pitch line, in degrees.
+    pub pressure_deg: f64,
+}
+
+impl Rack {
+    /// The pitch point where the wheel's centre is at this place and the guide has this unit direction; `radius` is that of the rack in such numbers.
+    #[must_use]
+    pub fn point<N: Number + From<f64>>(&self, center: Pair<N>, guide: Pair<N>, radius: N) -> Pair<N> {
+        center.plus_scaled(guide.quarter_turn(), radius * N::from(-self.side))
+    }
+}
+
+/// A belt around two wheels. They turn as if they touched in the centre of similitude of their circles, the outer one of an open belt, the inner
+/// one of a crossed belt: it is their instant centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Belt {
+    /// The centres of the wheels, on their carrier.
+    pub centers: [PointId; 2],
+    /// The radii with which they are drawn.
+    pub radii: [f64; 2],
+    /// The ratio of the radii in the smallest whole numbers, the second negative for an open belt.
+    pub teeth: [i32; 2],
+    /// Whether it runs across, so that the wheels turn against each other.
+    pub is_crossed: bool,
+}
+
+impl Belt {
+    /// The centre of similitude, as the pitch point of two wheels; `None` of wheels of equal size with an open belt, where it is at infinity.
+    #[must_use]
+    pub fn similitude(&self) -> Option<Pitch> {
+        let Belt { centers, teeth, .. } = *self;
+        (teeth[0] + teeth[1] != 0).then_some(Pitch { centers, teeth, all_teeth: teeth, pressure_deg: 0.0 })
+    }
+}
+
+/// How two bodies roll on each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Rolling {
+    /// Two wheels.
+    Wheels(Pitch),
+    /// A wheel on a line.
+    Rack(Rack),
+}
+
+impl Rolling {
+    /// The pitch point, with these places of points and unit directions of guides; `number` makes such a number of one of the scene.
+    #[must_use]
+    pub fn point<N: Number + From<f64>>(
+        &self,
+        place: impl Fn(PointId) -> Pair<N>,
+        guide: impl Fn(SliderId) -> Pair<N>,
+        number: impl Fn(f64) -> N,
+    ) -> Pair<N> {
+        match self {
+            Rolling::Wheels(pitch) => pitch.point(pitch.centers.map(place)),
+            Rolling::Rack(rack) => rack.point(place(rack.center), guide(rack.slider), number(rack.radius)),
+        }
+    }
+}
+
 /// A mark by which a joint is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -78,6 +155,13 @@ pub enum Mark {
         towards: PointId,
         /// The radius in parts of that distance.
         part: f64,
+    },
+    /// A circle to scale, of this radius.
+    Wheel {
+        /// Its centre.
+        center: PointId,
+        /// Its radius.
+        radius: f64,
     },
     /// A block on the guide of a slider.
     Block(SliderId),
@@ -97,20 +181,34 @@ pub struct AngularConstraint {
     /// The same in degrees, with its whole turns: these count where an angle is found by a division, as that of a wheel with twice as many
     /// teeth.
     pub constant_deg: f64,
+    /// What slides as the bodies turn, for a wheel and its rack.
+    pub travel: Option<Travel>,
+}
+
+/// What slides as angles change: these, each times its weight, add up to the travel of sliders from a start, divided by the radius of a wheel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Travel {
+    /// The sliders, each with the sign with which its position counts.
+    pub slides: SmallVec<[(SliderId, f64); 2]>,
+    /// Their sum where the angles add up to the constant angle.
+    pub start: f64,
+    /// The radius of the wheel.
+    pub radius: f64,
 }
 
 impl AngularConstraint {
     /// The relation with this constant, in degrees.
     #[must_use]
     pub fn degrees(terms: SmallVec<[(BodyId, i32); 3]>, constant_deg: f64) -> AngularConstraint {
-        AngularConstraint { terms, constant: turn_of_degrees(constant_deg), constant_deg }
+        AngularConstraint { terms, constant: turn_of_degrees(constant_deg), constant_deg, travel: None }
     }
 
     /// The constant angle `turn` from the first body to the second.
     #[must_use]
     pub fn fixed([first, second]: [BodyId; 2], turn: Turn) -> AngularConstraint {
         let constant_deg = degrees_of(turn * Vector::x());
-        AngularConstraint { terms: smallvec![(first, -1), (second, 1)], constant: turn, constant_deg }
+        let terms = smallvec![(first, -1), (second, 1)];
+        AngularConstraint { terms, constant: turn, constant_deg, travel: None }
     }
 
     /// The two bodies with a constant angle between them, and the rotation from the frame of the first to that of the
@@ -118,7 +216,7 @@ impl AngularConstraint {
     #[must_use]
     pub fn as_fixed_angle(&self) -> Option<([BodyId; 2], Turn)> {
         match *self.terms.as_slice() {
-            [(first, -1), (second, 1)] => Some(([first, second], self.constant)),
+            [(first, -1), (second, 1)] if self.travel.is_none() => Some(([first, second], self.constant)),
             _ => None,
         }
     }
@@ -136,6 +234,8 @@ impl Joint {
             slider: None,
             angular: None,
             pitch: None,
+            rack: None,
+            belt: None,
             marks: smallvec![circle],
         }
     }
@@ -151,6 +251,17 @@ impl Joint {
         2 * usize::from(self.pin.is_some()) + usize::from(self.slider.is_some()) + usize::from(self.angular.is_some())
     }
 
+    /// Whether its bodies roll on each other.
+    pub(crate) fn rolls(&self) -> bool {
+        self.rolling().is_some()
+    }
+
+    /// How its bodies roll on each other, or turn as if they did; `None` of other joints.
+    pub(crate) fn rolling(&self) -> Option<Rolling> {
+        let wheels = self.pitch.or_else(|| self.belt?.similitude());
+        wheels.map(Rolling::Wheels).or_else(|| self.rack.map(Rolling::Rack))
+    }
+
     /// Whether it constrains places: the place of one of its bodies then limits that of the other. Loops run over such
     /// joints only.
     pub(crate) fn holds_places(&self) -> bool {
@@ -161,7 +272,8 @@ impl Joint {
 impl Mechanism {
     /// Whether wheels mesh: where they stand depends on the whole turns of drives.
     pub(crate) fn has_wheels(&self) -> bool {
-        self.joints.iter().any(|joint| joint.pitch.is_some())
+        let relations = self.joints.iter().filter_map(|joint| joint.angular.as_ref());
+        relations.into_iter().any(|angular| angular.as_fixed_angle().is_none())
     }
 
     /// The joint of that index.

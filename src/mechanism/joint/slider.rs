@@ -104,6 +104,8 @@ impl Mechanism {
             slider: Some(id),
             angular: Some(AngularConstraint::fixed([slider.on, slider.link], slider.turn())),
             pitch: None,
+            rack: None,
+            belt: None,
             marks: smallvec![Mark::Block(id)],
         });
         self.sliders.push(slider);

@@ -4,7 +4,7 @@
 mod gear;
 mod slider;
 
-pub use gear::Gear;
+pub use gear::{Belt, Gear, RackOf};
 pub(super) use gear::{GearFile, gears};
 pub use slider::{Along, On, Slider};
 pub(super) use slider::{SliderFile, sliders};
