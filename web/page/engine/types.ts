@@ -270,6 +270,14 @@ export type SceneLinkPlace = string | SceneVector | number;
  */
 export type SceneDirection = string | number | SceneVector;
 /**
+ * A number of teeth, that of a ring negative; or "rack"
+ */
+export type SceneTeeth = number | "rack";
+/**
+ * How a belt, a rope or a chain runs around two wheels.
+ */
+export type SceneBelt = "open" | "crossed";
+/**
  * Lines, or the path of a CSV file that the program reads
  */
 export type SceneLoadTable = SceneTableLine[] | string;
@@ -2514,7 +2522,7 @@ export interface SceneSliderDrive {
   acceleration?: number;
 }
 /**
- * Two wheels that mesh: their pitch circles roll on each other without slip.
+ * Two wheels that mesh: their pitch circles roll on each other without slip; or a wheel that rolls on a rack; or two wheels with a belt.
  */
 export interface SceneGear {
   /**
@@ -2525,17 +2533,30 @@ export interface SceneGear {
    */
   mesh: [string, string];
   /**
-   * Their numbers of teeth, in the same order; that of a ring with inner teeth is negative. Wheels that only roll have whole numbers in
-   * the ratio of their radii.
+   * Their numbers of teeth, in the same order; that of a ring with inner teeth is negative. Wheels that only roll, and those of belts, have
+   * whole numbers in the ratio of their radii. "rack" stands for a straight rack, which slides on the carrier, or on which the carrier slides.
    *
    * @minItems 2
    * @maxItems 2
    */
-  teeth: [number, number];
+  teeth: [SceneTeeth, SceneTeeth];
   /**
    * The carrier on whose pins both turn: a link (the arm of a planetary train), or "ground".
    */
   on: string;
+  /**
+   * How a belt or a chain runs around the wheels, in place of teeth that mesh.
+   */
+  belt?: SceneBelt;
+  /**
+   * The radius of the wheel's pitch circle on a rack; of wheels with a belt that of the first, which is only drawn.
+   */
+  radius?: number;
+  /**
+   * The rack's position along its guide, or the carrier's along the rack, where the wheel's axis stands at 0 from the carrier's; left out: 0.
+   * Not in a drawn configuration.
+   */
+  position?: number;
   /**
    * The angle of the second wheel's axis when that of the first stands at 0, both from the carrier's axis, in degrees; left out: 0.
    * Not in a drawn configuration.
