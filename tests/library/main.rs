@@ -28,6 +28,8 @@
 //!   with whole mechanisms, templates with other numbers, and holds their rates to differences and their plans to the
 //!   links' images.
 //! - Wheels: `trains` holds their construction by pitch points to the same formula, and exercises to teeth that fit; `gears` holds trains to independent digits and to Willis' formula, geared five-bars and rolling curves to closed forms, pitch points to centres.
+//! - Racks and belts: `racks` holds rolling wheels, racks and the forces of teeth to closed forms and independent digits.
+//! - Wheels: `gears` holds trains to independent digits and to Willis' formula, geared five-bars and rolling curves to closed forms, pitch points to centres.
 //! - Sizes: `sizes` draws a thousand links, and holds how time grows; `growth` does so for what else may be large.
 //! - By hand: `pull` holds pulled points to being nearest and cranks to the pointer; `stage` its handles to the
 //!   marks, its own position to the figure, modes to their numbers.
@@ -117,6 +119,7 @@ mod properties;
 mod published_numbers;
 mod published_sets;
 mod pull;
+mod racks;
 mod reference;
 mod scene_build;
 mod scene_read;

@@ -37,6 +37,8 @@ fn geared(scene: &Scene, weights: &[(&str, i32)], constant: f64) -> Mechanism {
             slider: None,
             angular: Some(angular),
             pitch: None,
+            rack: None,
+            belt: None,
             marks: Default::default(),
         });
     };
