@@ -193,15 +193,29 @@ class Slider(TypedDict):
     """For people; ignored"""
 
 
+#: A number of teeth, that of a ring negative; or "rack" 
+Teeth = Union[float, Literal["rack"]]
+
+
+#: How a belt, a rope or a chain runs around two wheels.
+Belt = Literal["open", "crossed"]
+
+
 class Gear(TypedDict):
-    """Two wheels that mesh: their pitch circles roll on each other without slip."""
+    """Two wheels that mesh: their pitch circles roll on each other without slip; or a wheel that rolls on a rack; or two wheels with a belt."""
 
     mesh: Sequence[str]
     """The two wheels: links, or "ground" for a wheel that is fixed to the frame."""
-    teeth: Sequence[float]
-    """Their numbers of teeth, in the same order; that of a ring with inner teeth is negative. Wheels that only roll have whole numbers in the ratio of their radii."""
+    teeth: Sequence[Teeth]
+    """Their numbers of teeth, in the same order; that of a ring with inner teeth is negative. Wheels that only roll, and those of belts, have whole numbers in the ratio of their radii. "rack" stands for a straight rack, which slides on the carrier, or on which the carrier slides."""
     on: str
     """The carrier on whose pins both turn: a link (the arm of a planetary train), or "ground"."""
+    belt: NotRequired[Belt]
+    """How a belt or a chain runs around the wheels, in place of teeth that mesh."""
+    radius: NotRequired[float]
+    """The radius of the wheel's pitch circle on a rack; of wheels with a belt that of the first, which is only drawn."""
+    position: NotRequired[float]
+    """The rack's position along its guide, or the carrier's along the rack, where the wheel's axis stands at 0 from the carrier's; left out: 0. Not in a drawn configuration."""
     phase: NotRequired[float]
     """The angle of the second wheel's axis when that of the first stands at 0, both from the carrier's axis, in degrees; left out: 0. Not in a drawn configuration."""
     pressure: NotRequired[float]
@@ -868,6 +882,21 @@ class GuideForceResult(TypedDict):
     """Bound on the error of `offset`."""
 
 
+class MeshForceResult(TypedDict):
+    """What a wheel receives from the teeth of another one, at the pitch point."""
+
+    pitch_point: list[float]
+    """The pitch point."""
+    tangential: float
+    """The force along the tangent: along the direction from the first wheel's centre to the second's, or from the wheel's centre to its rack, turned by +90°."""
+    tangential_error: NotRequired[Union[float, None]]
+    """Bound on the error of `tangential`."""
+    force: list[float]
+    """The whole force, with the part by which teeth push each other apart."""
+    force_error: NotRequired[Union[float, None]]
+    """Bound on the error of both components of `force`."""
+
+
 class DriveResult(TypedDict):
     """What a drive needs."""
 
@@ -918,6 +947,8 @@ class ForcesResult(TypedDict):
     """By pin, then by link or `ground`: the force that it receives there from all others; those of a pin add up to zero."""
     sliders: dict[str, GuideForceResult]
     """By slider: what its sliding link receives from the guide."""
+    meshes: dict[str, MeshForceResult]
+    """By pair of wheels, as `1/2`, or of a wheel and its rack: what the first of the two receives from the other one's teeth. Left out without such pairs."""
     drives: dict[str, DriveResult]
     """By drive: what it needs."""
     inertia: dict[str, InertiaResult]
