@@ -223,7 +223,7 @@ impl<P: Posed<N>, N: Quick> Here<'_, P, N> {
         let wrench = self.loads[hung.body.0];
         let mut couple = self.passed(hung, wrench);
         let (force, own) = if hung.is_second { (-wrench.force, -couple) } else { (wrench.force, couple) };
-        self.joints[hung.joint.0] = Carried { force, couple: own, tangential: 0.0 };
+        self.joints[hung.joint.0] = Carried { force, couple: own, tangential: N::from(0.0) };
         if matches!(hung.by, By::Drive) {
             self.torques[hung.body.0] = -wrench.moment;
             // The frame receives the torque's reaction.
