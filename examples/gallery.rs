@@ -19,7 +19,7 @@ use std::fs;
 use support::files as repository;
 
 /// Kinds of `kinegon new` in its order, their scenes, and what each teaches.
-const KINDS: [(&str, &str, &str); 21] = [
+const KINDS: [(&str, &str, &str); 24] = [
     (
         "four-bar",
         "templates/four-bar.json",
@@ -47,13 +47,28 @@ const KINDS: [(&str, &str, &str); 21] = [
     ),
     (
         "geared-five-bar",
-        "tests/gears/geared-five-bar.json",
-        "Two cranks on wheels that mesh: the second turns half as fast, the other way, and a dyad adds both.",
+        "templates/geared-five-bar.json",
+        "Two cranks on wheels that mesh: the second turns twice as fast, the other way, and a dyad adds both.",
+    ),
+    (
+        "gear-train",
+        "templates/gear-train.json",
+        "Where two wheels touch they have one velocity; the wheel between changes the sense alone.",
     ),
     (
         "planetary",
-        "tests/gears/planetary.json",
-        "The sun drives a planet that rolls in the fixed ring; arm and planet follow from both meshes.",
+        "templates/planetary.json",
+        "The planet rolls in the fixed ring: from its centre and its pitch point at rest to the sun's rim, on one velocity line.",
+    ),
+    (
+        "differential",
+        "templates/differential.json",
+        "Sun and ring drive: the planet's angular velocity from its two pitch points, then the arm's.",
+    ),
+    (
+        "reverted-train",
+        "templates/reverted-train.json",
+        "A planet with two rims between two suns, of which one is fixed.",
     ),
     (
         "hydraulic-boom",

@@ -3,6 +3,7 @@
 mod by_hand;
 mod by_hand_together;
 mod ratios;
+mod reactions;
 
 use by_hand::ByHand;
 use divan::{Bencher, black_box};
@@ -26,6 +27,7 @@ fn main() {
     // Only where all benches run.
     if std::env::args().skip(1).all(|argument| argument == "--bench") {
         ratios::print();
+        reactions::print();
     }
 }
 

@@ -1,11 +1,13 @@
 use super::cut::{Special, SpecialId};
 use super::kennedy::{Center, CenterId, Centers};
 use super::lever::Lever;
+use super::name::image_name;
 use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{Along, LineId, Operation, PlaceId, StepId};
 use super::polygon::ForcePlan;
 use super::run::{Disturbance, Values};
 use super::step::{Action, Arrow, NumberedStep, Plan, Ray, VectorOf};
+use super::train::pitch_points;
 use crate::geometry::{Ball, Point};
 use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
 use crate::scene::TurnedName;
@@ -42,6 +44,8 @@ pub struct Construction {
     /// Origin of the places of the scheme, the mechanism's first point: coordinates that count from a far origin would
     /// lose digits.
     pub origin: Point,
+    /// The names of the points where wheels touch.
+    pub(super) pitch_points: IndexMap<JointId, String>,
     /// By number: its kind.
     pub numbers: Vec<NumberKind>,
     /// Named points: joints and special points of the scheme, points of the plans.
@@ -96,6 +100,7 @@ impl Construction {
             turned: None,
             operations: Vec::new(),
             origin,
+            pitch_points: pitch_points(mechanism).collect(),
             numbers: Vec::new(),
             places: IndexMap::new(),
             known_parts: IndexMap::new(),
@@ -230,8 +235,31 @@ impl Construction {
         match end {
             End::Joint(point) => mechanism.point_name(point),
             End::Special(id) => &self.special(id).name,
+            End::Pitch(joint) => self.pitch_name(joint),
             End::Center(id) => self.center(id).map_or("", |center| &center.name),
         }
+    }
+
+    /// The name of the pitch point of a mesh, as `P23`; empty of other joints.
+    #[must_use]
+    pub fn pitch_name(&self, joint: JointId) -> &str {
+        self.pitch_points.get(&joint).map_or("", String::as_str)
+    }
+
+    /// Whether that is the name of a pitch point.
+    pub(super) fn is_pitch_point(&self, name: &str) -> bool {
+        self.pitch_points.values().any(|own| own == name)
+    }
+
+    /// Whether that is the image of a pitch point.
+    pub(crate) fn is_pitch_image(&self, name: &str) -> bool {
+        self.pitch_points.values().any(|own| image_name(own) == name)
+    }
+
+    /// The distance of two joints, where an operation uses it.
+    pub(crate) fn length_of(&self, [a, b]: [PointId; 2]) -> Option<NumberId> {
+        let lengths = &self.record.lengths;
+        lengths.get(&[a, b]).or_else(|| lengths.get(&[b, a])).copied()
     }
 
     /// An instant centre.
@@ -351,6 +379,8 @@ pub(super) struct Record {
     pub joins: IndexMap<[PlaceId; 2], LineId>,
     /// The distances of joints.
     pub lengths: IndexMap<[PointId; 2], NumberId>,
+    /// By mesh and centre: the pitch radii.
+    pub radii: IndexMap<(JointId, PointId), NumberId>,
     /// By place: the lines drawn through it in a direction.
     pub rays: IndexMap<PlaceId, Vec<(Along, LineId)>>,
     /// By plan, body and point: the place of that motion in the plan.

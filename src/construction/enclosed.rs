@@ -40,7 +40,10 @@ impl Construction {
                 (OperationKind::Take { number, .. }, _) => {
                     values.numbers[number.0] = self.taken(*number, truth);
                 }
-                (OperationKind::Solve { unknowns, .. }, _) => {
+                // A pitch radius is computed from a true length.
+                (OperationKind::Solve { unknowns, .. }, _)
+                    if unknowns.iter().all(|number| matches!(self.numbers[number.0], NumberKind::Rate(_))) =>
+                {
                     for &number in unknowns {
                         values.numbers[number.0] = self.taken(number, truth);
                     }

@@ -4,10 +4,10 @@ use super::cut::{CutLine, Special, Term};
 use super::markup::{Formula, Known, marked, measured, subscript};
 use super::name::{image_name, point_on};
 use super::sentence::Teller;
-use super::step::{LegEquation, Ray, RayOf, Relation, VectorPart};
+use super::step::{LegEquation, RateEquation, Ray, RayOf, Relation, VectorPart, WheelEquation};
 use crate::geometry::{Vector, quarter_turn};
-use crate::mechanism::{BodyId, DrivenSlide, GROUND, PointId};
-use crate::sheet::Order;
+use crate::mechanism::{BodyId, DrivenSlide, GROUND, JointId, PointId};
+use crate::sheet::{Order, Sheet};
 use crate::words::SlidePart;
 
 impl Teller<'_> {
@@ -147,11 +147,48 @@ impl Teller<'_> {
         to.map_or_else(to_point, |to| self.pose.arm(from, to))
     }
 
+    /// An equation from which rates are found, counter-clockwise positive.
+    #[must_use]
+    pub fn equation(&self, equation: &RateEquation) -> String {
+        match equation {
+            RateEquation::Leg(leg) => self.equation_of_leg(leg),
+            RateEquation::Wheel(wheel) => self.equation_of_wheel(wheel),
+            RateEquation::Mesh(order, joint) => self.equation_of_mesh(*order, *joint),
+        }
+    }
+
+    /// The equation of a wheel or an arm: its angular velocity times the distance of two points, equal to the measured segment.
+    fn equation_of_wheel(&self, WheelEquation { link, ends: [a, b], from, to, segment }: &WheelEquation) -> String {
+        let minus = if *segment < 0.0 { "−" } else { "" };
+        let rate = format!("{}_{{{}}}", Order::Velocity.rate(), self.mechanism.body(*link).name);
+        format!("{minus}{rate} L{} = {}", subscript(&[a, b]), measured(Sheet::Velocity, from, to))
+    }
+
+    /// The equation of a mesh with its numbers of teeth: what rests is left out.
+    fn equation_of_mesh(&self, order: Order, joint: JointId) -> String {
+        let joint = self.mechanism.joint(joint);
+        let (Some(pitch), Some(carrier)) = (joint.pitch, joint.related_bodies().nth(2)) else { return String::new() };
+        let term = |body: BodyId| format!("{}_{{{}}}", order.rate(), self.mechanism.body(body).name);
+        let mut left = String::new();
+        for (wheel, teeth) in joint.bodies.into_iter().zip(pitch.all_teeth).filter(|(wheel, _)| *wheel != GROUND) {
+            left.push_str(match (left.is_empty(), teeth < 0) {
+                (true, false) => "",
+                (true, true) => "−",
+                (false, false) => " + ",
+                (false, true) => " − ",
+            });
+            left.push_str(&format!("{} {}", teeth.abs(), term(wheel)));
+        }
+        let sum: i32 = pitch.all_teeth.iter().sum();
+        let minus = if sum < 0 { "−" } else { "" };
+        let right = if carrier == GROUND { "0".to_owned() } else { format!("{minus}{} {}", sum.abs(), term(carrier)) };
+        format!("{left} = {right}")
+    }
+
     /// The equation of a leg: rates, counter-clockwise positive, times lengths, equal to the measured segment.
     ///
     /// Each term has the sign of its component along the segment from its start to the special point's image.
-    #[must_use]
-    pub fn equation(&self, LegEquation { order, special, side, from, segment }: &LegEquation) -> String {
+    fn equation_of_leg(&self, LegEquation { order, special, side, from, segment }: &LegEquation) -> String {
         let rate = order.rate();
         let mechanism = self.mechanism;
         let point = self.construction.special(*special);

@@ -7,7 +7,7 @@ use super::leg::{DrawnSpecial, LegLines};
 use super::name::{image_name, point_on};
 use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{LineId, MeasuredAs, OperationRole, PlaceId};
-use super::step::{Action, Arrow, LegEquation, PointRole, Ray, RayOf, Relation, VectorOf};
+use super::step::{Action, Arrow, LegEquation, PointRole, RateEquation, Ray, RayOf, Relation, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId};
@@ -149,7 +149,8 @@ impl Writer<'_> {
                 let measured = Action::Measure { from: from.clone(), to: image.clone(), value: length.abs() };
                 self.finish(step, measured);
                 rows.push(self.equation(order, equations, point, side, segment)?);
-                written.push(LegEquation { order, special: point.id, side, from, segment: length });
+                let own = LegEquation { order, special: point.id, side, from, segment: length };
+                written.push(RateEquation::Leg(own));
             }
             self.note_joint_motion(order, point, crossing);
         }
@@ -221,7 +222,7 @@ impl Writer<'_> {
 
     /// The rates of links, then of sliders, that the equations of a plan are solved for, each with its index among the
     /// unknowns; several links may have the same.
-    fn unknown_rates(&self, order: Order, group: &Group, equations: &LoopEquations) -> Vec<(usize, Rate)> {
+    pub(super) fn unknown_rates(&self, order: Order, group: &Group, equations: &LoopEquations) -> Vec<(usize, Rate)> {
         let of_link = |&link: &BodyId| Some((equations.angular_unknown(link)?, Rate::Angular(order, link)));
         let of_slider = |id: SliderId| Some((equations.slide_unknown(id)?, Rate::Slide(order, id)));
         let links = group.bodies.iter().filter_map(of_link);
@@ -229,7 +230,7 @@ impl Writer<'_> {
     }
 
     /// A rate in the computed motion, and the bound of its error.
-    fn computed_rate(&self, rate: Rate) -> [f64; 2] {
+    pub(super) fn computed_rate(&self, rate: Rate) -> [f64; 2] {
         let motion = self.motion;
         match rate {
             Rate::Angular(Order::Velocity, link) => [motion.body(link).omega, motion.error(link).omega],
@@ -242,7 +243,7 @@ impl Writer<'_> {
     }
 
     /// Notes the numbers of solved rates. Of links that turn alike the one with most points gives the rate its name.
-    fn note_rates(&mut self, unknown: &[(usize, Rate)], numbers: &[NumberId]) {
+    pub(super) fn note_rates(&mut self, unknown: &[(usize, Rate)], numbers: &[NumberId]) {
         for &(index, rate) in unknown {
             self.construction.set_rate(rate, numbers[index]);
             let alike = unknown.iter().filter(|(other, _)| *other == index);

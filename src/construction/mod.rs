@@ -7,7 +7,7 @@
 //!
 //! In reading order: `cut` (cut lines and special points); `operation` and `number` (what a hand and a calculator do),
 //! carried out by `run`; `writer`, which writes them down in the [`Construction`]; what is drawn: `body`,
-//! `leg`, `group`, `images`; `solution`, which goes through all groups; `kennedy`, instant centres on a sheet of their own; `polygon`, the force plan; `lever`, Zhukovsky's lever. `enclosed` carries all out on the true
+//! `leg`, `group`, `train` (wheels), `images`; `solution`, which goes through all groups; `kennedy`, instant centres on a sheet of their own; `polygon`, the force plan; `lever`, Zhukovsky's lever. `enclosed` carries all out on the true
 //! position and motion; `step`, `markup`, `sentence`, `equations` and `passage` are for captions; `turned` shows the velocity plan turned.
 //!
 //! To add something that a hand does: an [`OperationKind`] with its errors, and how it is carried out in `run`. To add
@@ -64,6 +64,7 @@ mod run;
 mod sentence;
 mod solution;
 mod step;
+mod train;
 mod turned;
 mod writer;
 
@@ -93,7 +94,7 @@ pub use sentence::{PlanVector, Teller};
 pub(crate) use solution::asked_construction;
 pub use solution::{Solution, construct};
 pub use step::{
-    Action, Arrow, LegEquation, NOTHING, NumberedStep, Plan, PlanPoint, PointRole, Ray, RayOf, Relation, VectorOf,
-    VectorPart,
+    Action, Arrow, LegEquation, NOTHING, NumberedStep, Plan, PlanPoint, PointRole, RateEquation, Ray, RayOf, Relation,
+    VectorOf, VectorPart, WheelEquation,
 };
 pub(crate) use writer::Writer;

@@ -2,7 +2,7 @@
 
 use super::cut::SpecialId;
 use super::kennedy::CenterId;
-use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
 use crate::sheet::Order;
 use smallvec::SmallVec;
 
@@ -81,6 +81,8 @@ pub enum End {
     Joint(PointId),
     /// A special point.
     Special(SpecialId),
+    /// The pitch point of a mesh.
+    Pitch(JointId),
     /// An instant centre.
     Center(CenterId),
 }

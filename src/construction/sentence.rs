@@ -6,7 +6,9 @@ use super::markup::{Formula, Known, marked, measured, no_construction, rate_symb
 use super::name::{coincident_name, image_name, point_on};
 use super::number::Rate;
 use super::solution::Solution;
-use super::step::{Action, Arrow, NumberedStep, Plan, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
+use super::step::{
+    Action, Arrow, NumberedStep, Plan, PointRole, RateEquation, Ray, RayOf, Relation, VectorOf, VectorPart,
+};
 use crate::geometry::{Place, degrees_of};
 use crate::mechanism::{BodyId, DrivenSlide, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
@@ -102,6 +104,7 @@ impl<'a> Teller<'a> {
                 let ratio = [format!("{first}{third}"), format!("{first}{second}")];
                 language.divide(&marked(from), &marked(to), &ratio[0], &ratio[1], &marked(point))
             }
+            Action::Coincide { point, with, link: GROUND } => language.pitch_at_rest(&marked(point), &marked(with)),
             Action::Coincide { point, with, link } => {
                 language.coincide(&self.mechanism.body(*link).name, &marked(point), &marked(with))
             }
@@ -109,9 +112,16 @@ impl<'a> Teller<'a> {
                 let sentence = if plan.is_some() { Language::measure_segment } else { Language::measure_length };
                 sentence(language, &marked(from), &marked(to))
             }
-            Action::Solve { unknowns, .. } => {
+            Action::Solve { equations, unknowns } => {
                 let names: Vec<String> = unknowns.iter().map(|u| self.rate(&u.0)).collect();
-                language.solve(&names.join(", "))
+                let names = names.join(", ");
+                match equations.first() {
+                    Some(RateEquation::Wheel(_)) if equations.len() > 1 => language.solve_wheel_with_mesh(&names),
+                    Some(RateEquation::Wheel(_)) => language.solve_wheel(&names),
+                    Some(RateEquation::Mesh(Order::Velocity, _)) => language.solve_meshes(&names),
+                    Some(RateEquation::Mesh(Order::Acceleration, _)) => language.solve_meshes_accelerated(&names),
+                    _ => language.solve(&names),
+                }
             }
             Action::NoConstruction(far) => no_construction(self.words, far),
             other => {
@@ -258,7 +268,10 @@ impl<'a> Teller<'a> {
                 language.lay_off_relative_tangential(link, &to, &from, &line),
             ),
             _ => {
+                let is_pitch = self.construction.is_pitch_point(to.trim_matches('`'));
                 let sentence = match self.turned(Sheet::Velocity) {
+                    None if is_pitch => Language::lay_off_pitch,
+                    Some(_) if is_pitch => Language::lay_off_pitch_turned,
                     Some(_) => Language::lay_off_relative_turned,
                     None => Language::lay_off_relative,
                 };

@@ -210,7 +210,8 @@ impl Writer<'_> {
         let legs = cuts.filter_map(|cut| cut.start().map(|point| (cut.leg.base, point)));
         let hanging = group.hanging(self.mechanism).into_iter();
         for (base, point) in legs.chain(hanging.map(|(joint, base, _)| (base, self.mechanism.joint_point(joint)))) {
-            if !starts.contains(&(base, point)) {
+            // A wheel may hang on an arm whose motion is yet to be found.
+            if !starts.contains(&(base, point)) && !group.bodies.contains(&base) {
                 starts.push((base, point));
                 self.orders().iter().for_each(|&order| self.known_vector(order, base, point));
             }
@@ -227,7 +228,11 @@ impl Writer<'_> {
 
     /// Constructs both plans; `None` where rays are parallel or the equations have no solution.
     fn rates(&mut self, group: &Group, equations: &LoopEquations, drawn: &[DrawnSpecial<'_>]) -> Option<()> {
-        for &order in self.orders() {
+        let is_train = self.is_train(group, equations);
+        if is_train {
+            self.train(group, equations)?;
+        }
+        for &order in self.orders().iter().filter(|_| !is_train) {
             self.rays(order, group, equations, drawn)?;
             if order == Order::Velocity {
                 self.note_anchors(group);
@@ -236,7 +241,9 @@ impl Writer<'_> {
                 self.images(order, group);
             }
         }
-        self.image_steps(group);
+        if !is_train {
+            self.image_steps(group);
+        }
         if self.construction.extent == Extent::Points && self.motion.order == Order::Acceleration {
             self.relative_images(Order::Acceleration, group);
         }

@@ -6,7 +6,7 @@ use super::lever::{Lever, LeverStep};
 use super::polygon::{ForcePlan, ForceStep};
 use crate::centers::LinkPair;
 use crate::geometry::Vector;
-use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
+use crate::mechanism::{BodyId, DrivenSlide, GROUND, JointId, PointId, SliderId};
 use crate::sheet::{Order, Sheet};
 use crate::words::{Notation, with_prime};
 use indexmap::IndexMap;
@@ -56,7 +56,7 @@ pub enum Action {
     /// Solve equations for unknowns.
     Solve {
         /// The equations.
-        equations: Vec<LegEquation>,
+        equations: Vec<RateEquation>,
         /// The unknowns' quantity names and values.
         unknowns: Vec<(String, f64)>,
     },
@@ -212,12 +212,41 @@ impl NumberedStep<'_> {
                 let (LeverStep::Turn(index) | LeverStep::Arm(index, _) | LeverStep::Effort(index)) = *step;
                 self.levers.get(index).map_or_else(Vec::new, |lever| lever.names(*step))
             }
+            // At the pole there is nothing to be measured.
+            Action::Coincide { link: GROUND, .. } => Vec::new(),
             action => {
                 let image = self.plan.zip(action.image());
                 image.map(|(plan, point)| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()
             }
         }
     }
+}
+
+/// An equation from which rates are found.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum RateEquation {
+    /// That of a segment measured for a leg.
+    Leg(LegEquation),
+    /// That of a segment between the images of two points of a wheel or an arm.
+    Wheel(WheelEquation),
+    /// That of a mesh, z₁ ω₁ + z₂ ω₂ = (z₁ + z₂) ω_carrier, or the same for angular accelerations.
+    Mesh(Order, JointId),
+}
+
+/// The equation of a measured segment between the images of two points of a wheel or an arm: its angular velocity times their distance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WheelEquation {
+    /// The wheel or the arm.
+    pub link: BodyId,
+    /// The names of its two points.
+    pub ends: [String; 2],
+    /// The image of the first …
+    pub from: String,
+    /// … and that of the second.
+    pub to: String,
+    /// The segment, with the sign of the angular velocity.
+    pub segment: f64,
 }
 
 /// The equation of a measured segment, which is the sum of the terms of a leg.

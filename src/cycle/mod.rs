@@ -42,6 +42,7 @@ pub mod says;
 pub mod segment;
 mod still;
 mod sweep;
+mod together;
 mod trace;
 mod traces;
 mod variants;

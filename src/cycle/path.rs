@@ -2,11 +2,13 @@ use super::CycleError;
 use super::drive::{Drive, in_radians, ratios, shortened, snapped, stands};
 use super::position::{Position, regular_start};
 use super::segment::{Node, Segment};
-use crate::geometry::{Lanes, Row, span};
+use super::together::Together;
+use crate::geometry::{Lanes, Many, Row, span};
 use crate::kernel::{Block, InputKind, Kernel, Single, vector};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
 use crate::motion::Reach;
 use crate::position::Pose;
+use crate::quantity::QuantityRequest;
 use crate::words::Wording;
 use std::borrow::Cow;
 
@@ -307,6 +309,11 @@ impl<'a> Path<'a> {
     /// One position of a block.
     pub(super) fn position<'b, R: Row>(&'b self, block: &'b Block<R>, lane: usize) -> Position<'b, R> {
         Position::new(&self.mechanism, &self.kernel, block, lane)
+    }
+
+    /// The forces among these quantities at the first positions of a block, so many.
+    pub(super) fn together(&self, block: &Block<Many>, count: usize, asked: &[QuantityRequest]) -> Option<Together> {
+        Together::new((&self.mechanism, &self.kernel), (block, count), asked)
     }
 
     /// The segment that holds a value of the drive, if it has been reached.

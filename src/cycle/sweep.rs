@@ -1,3 +1,4 @@
+use super::together::Together;
 use super::{Path, Position, Steps};
 use crate::accuracy::bounds;
 use crate::construction::{Extent, construct};
@@ -93,14 +94,18 @@ impl<'a> Sweep<'a> {
                 *value = self.steps.value(row);
             }
             let (count, block) = many.motions(values);
+            let together = block
+                .filter(|_| self.errors.is_none())
+                .and_then(|block| self.path.together(block, count, &self.columns));
             for (lane, value) in values[..count].iter().enumerate() {
                 match block {
                     Some(block) => {
                         let position = self.path.position(block, lane);
-                        self.read(*value, Some(position), &mut numbers);
+                        let forces = together.as_ref().map(|together| (together, lane));
+                        self.read(*value, Some(position), forces, &mut numbers);
                     }
                     // Some position of the block is singular: read one by one, only that position has no numbers.
-                    None => self.read(*value, one.position(*value), &mut numbers),
+                    None => self.read(*value, one.position(*value), None, &mut numbers),
                 }
             }
             next += count;
@@ -118,17 +123,24 @@ impl<'a> Sweep<'a> {
         crate::cores::on_all_cores(&firsts, piece).concat()
     }
 
-    /// Appends the row of a position to `numbers`.
-    fn read<R: Row>(&self, value: f64, position: Option<Position<R>>, numbers: &mut Numbers) {
+    /// Appends the row of a position to `numbers`; `forces` are those of several positions, with the place of this one.
+    fn read<R: Row>(
+        &self,
+        value: f64,
+        position: Option<Position<R>>,
+        forces: Option<(&Together, usize)>,
+        numbers: &mut Numbers,
+    ) {
         numbers.push(Some(value));
         if let Some(scene) = self.errors {
             return self.read_with_errors(scene, value, position, numbers);
         }
         let built = position.as_ref().filter(|_| self.constructs).and_then(|position| position.construction());
-        for asked in &self.columns {
+        for (column, asked) in self.columns.iter().enumerate() {
             // What needs the construction has no value without it.
-            let found = position.as_ref().and_then(|position| asked.value(position, built.as_ref(), None).ok());
-            push(asked, found, numbers);
+            let by_itself = || position.as_ref().and_then(|position| asked.value(position, built.as_ref(), None).ok());
+            let force = forces.and_then(|(together, lane)| together.value(asked, column, lane));
+            push(asked, force.unwrap_or_else(by_itself), numbers);
         }
     }
 

@@ -12,7 +12,7 @@ use super::sheet::{Drawing, Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use super::view::{Extent, fitting_scale};
 use crate::construction::{
-    Action, Formula, Known, LegEquation, NumberedStep, Passage, Plan, Ray, Relation, VectorPart,
+    Action, Formula, Known, NumberedStep, Passage, Plan, RateEquation, Ray, Relation, VectorPart,
 };
 use crate::geometry::{Vector, degrees_of};
 use crate::scene::QuantityName;
@@ -300,8 +300,9 @@ impl Writer<'_> {
     }
 
     /// The equations of the step, at least two in a line, and their solution.
-    fn solution(&mut self, equations: &[LegEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
-        let set = |equation: &LegEquation| self.pieces(&self.context.teller().equation(equation), plan, RichText::math);
+    fn solution(&mut self, equations: &[RateEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
+        let set =
+            |equation: &RateEquation| self.pieces(&self.context.teller().equation(equation), plan, RichText::math);
         let written: Vec<Vec<RichText>> = equations.iter().map(set).collect();
         let widest = written.iter().map(|pieces| width_of(pieces, EQUATION)).fold(0.0, f64::max);
         let fitting = (self.area.width() / (widest + BETWEEN)) as usize;

@@ -50,6 +50,8 @@ pub enum ExerciseError {
         most: Refusal,
         /// Its share of the variants, in per cent.
         percent: usize,
+        /// The symbols of the smallest and of the largest force of the scene as it stands, where these are too unequal.
+        unequal: Option<[String; 2]>,
     },
 }
 
@@ -70,7 +72,13 @@ impl ExerciseError {
         match self {
             ExerciseError::NoConstruction => says::no_construction(),
             ExerciseError::NothingToFind => says::nothing_to_find(),
-            ExerciseError::GaveUp { tries, most, percent } => says::gave_up(*tries, *percent, most.message()),
+            ExerciseError::GaveUp { tries, most, percent, unequal } => {
+                let why = match unequal {
+                    Some([small, large]) if *most == Refusal::ForcesUnequal => says::forces_unequal_as(small, large),
+                    _ => most.message(),
+                };
+                says::gave_up(*tries, *percent, why)
+            }
         }
     }
 }
@@ -86,6 +94,8 @@ pub struct Exercises {
     random: Random,
     /// Most variants that are tried for each.
     tries: usize,
+    /// Forces of the scene that are too unequal.
+    unequal: Option<[String; 2]>,
     /// The number of the last exercise.
     number: usize,
     seen: BTreeSet<String>,
@@ -127,6 +137,7 @@ impl Exercises {
             seed,
             random: Random(seed),
             tries: (POINTS / solution.mechanism.points.len().max(1)).clamp(LEAST_TRIES, TRIES),
+            unequal: forces::too_unequal(solution),
             number: 0,
             seen: BTreeSet::new(),
         };
@@ -160,7 +171,8 @@ impl Exercises {
             }
         }
         let (most, count) = refused.into_iter().max_by_key(|(_, count)| *count).unwrap_or((Refusal::Numbers, tries));
-        Err(ExerciseError::GaveUp { tries, most, percent: (100 * count + tries / 2) / tries })
+        let percent = (100 * count + tries / 2) / tries;
+        Err(ExerciseError::GaveUp { tries, most, percent, unequal: self.unequal.clone() })
     }
 
     /// A random variant, if it is an exercise.

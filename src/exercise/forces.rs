@@ -3,7 +3,8 @@
 use super::judge::Refusal;
 use crate::check::BANDS;
 use crate::construction::{
-    Action, Construction, ForceOf, ForcePlan, ForceStep, Moment, OperationKind, OperationRole, Solution,
+    Action, Construction, ForceOf, ForcePlan, ForceStep, Moment, OperationKind, OperationRole, Side, Solution, Teller,
+    plain_text,
 };
 use crate::drawing::KeyRow;
 use crate::geometry::{cross, unit};
@@ -97,6 +98,22 @@ pub(super) fn are_clear(construction: &Construction, scales: &Scales) -> Result<
         None if most > 0.0 => Err(Refusal::Sheet),
         _ => Ok(()),
     }
+}
+
+/// The symbols of the smallest and the largest force of a scene's polygons, where these are too unequal; of small ones a load, if one is:
+/// from loads all others follow.
+pub(super) fn too_unequal(solution: &Solution) -> Option<[String; 2]> {
+    let plan = solution.construction.forces.as_deref()?;
+    let sides = || plan.polygons.iter().flat_map(|polygon| &polygon.sides);
+    let size = |side: &&Side| side.vector.norm();
+    let large = sides().max_by(|a, b| size(a).total_cmp(&size(b)))?;
+    let is_small = |side: &&Side| size(side) > ZERO * size(&large) && size(side) * RATIO < size(&large);
+    let is_load = |side: &Side| matches!(side.of, ForceOf::Load(_));
+    let small =
+        sides().filter(is_small).min_by(|a, b| is_load(b).cmp(&is_load(a)).then(size(a).total_cmp(&size(b))))?;
+    let words = solution.wording();
+    let teller = Teller::new(solution, &words);
+    Some([small, large].map(|side| plain_text(&teller.force_symbol(side.of))))
 }
 
 /// The arms of a sum of moments that count in it: short ones of small forces do not matter.

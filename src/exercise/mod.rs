@@ -3,7 +3,7 @@
 //! A variant gets random numbers and is accepted only where a hand drawing comes out well; `judge` has all the
 //! conditions.
 //!
-//! In reading order: `vary` finds the numbers of a scene file and replaces them, `judge` accepts or refuses a variant,
+//! In reading order: `vary` finds the numbers of a scene file and replaces them, `teeth` those of wheels, `judge` accepts or refuses a variant,
 //! `asked` chooses the values that it asks for, `find` looks for accepted ones, `sheets` writes what stands on the sheets of a student and of a teacher, also for a scene
 //! as it stands, `key` the values for the teacher. Nothing is read or written here.
 //!
@@ -23,6 +23,7 @@ mod key;
 #[doc(hidden)] // for tests
 pub mod says;
 mod sheets;
+mod teeth;
 mod vary;
 
 #[cfg(feature = "courses")]

@@ -23,6 +23,7 @@ messages! { "exercise":
     force_short;
     arm_short;
     forces_unequal;
+    forces_unequal_as(small, large);
     force_unsure;
     same;
     numbered(most);

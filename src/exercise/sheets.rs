@@ -66,6 +66,7 @@ pub(super) fn sentences(solution: &Solution, scales: &Scales) -> Vec<String> {
         all.extend(teller.lengths());
         all.extend(teller.guides());
     }
+    all.extend(teller.teeth());
     all.extend(teller.drives(&file));
     all.extend(teller.motions(&file));
     all.extend(teller.loads(solution, &file));
@@ -156,6 +157,28 @@ impl Teller<'_> {
                 None => self.scene.ground.first()?.clone(),
             };
             Some(language.exercise_guide(name, &place, &self.number(degrees)))
+        });
+        told.collect()
+    }
+
+    /// The teeth of each mesh; of one on a moving carrier with its name.
+    fn teeth(&self) -> Vec<String> {
+        let language = self.words.language;
+        let told = self.scene.gears.iter().map(|gear| {
+            let wheel = |side: usize| {
+                let teeth = gear.teeth[side];
+                let number = self.number(f64::from(teeth.abs()));
+                match (&gear.wheels[side], teeth < 0) {
+                    (On::Link(link), false) => language.exercise_wheel(link, &number),
+                    (On::Link(link), true) => language.exercise_ring(link, &number),
+                    (On::Ground, false) => language.exercise_fixed_wheel(&number),
+                    (On::Ground, true) => language.exercise_fixed_ring(&number),
+                }
+            };
+            match &gear.on {
+                On::Ground => language.exercise_mesh(&wheel(0), &wheel(1)),
+                On::Link(arm) => language.exercise_mesh_on(&wheel(0), &wheel(1), arm),
+            }
         });
         told.collect()
     }

@@ -1,5 +1,6 @@
 //! The numbers of a scene file, and the scene with other round ones in their place.
 
+use super::teeth::Wheels;
 use crate::editing::measure::json as json_number;
 use crate::geometry::{Point, Random, span};
 use crate::scene::{Along, GivenBy, Scene};
@@ -115,6 +116,7 @@ const RATES: [f64; 11] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0
 /// up to 60° and with half to twice their rates. Zeros stay, but for drives' angles; senses stay; blocks stay on
 /// their guides.
 pub(super) fn varied(scene: &Value, on_guides: &[OnGuide], random: &mut Random) -> Value {
+    let wheels = Wheels::of(scene);
     let mut scene = scene.clone();
     let step = length_step(&scene);
     each_number(&mut scene, &mut |number, x| {
@@ -131,6 +133,7 @@ pub(super) fn varied(scene: &Value, on_guides: &[OnGuide], random: &mut Random) 
         }
     });
     on_guides.iter().for_each(|block| block.put(&mut scene));
+    wheels.vary(&mut scene, random);
     scene
 }
 

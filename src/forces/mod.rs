@@ -2,7 +2,7 @@
 //! needs. Nothing here runs for a scene without loads.
 //!
 //! In reading order: `acting` makes loads of masses, gravity, inertia, forces and springs; `equilibrium` finds what joints carry;
-//! `power` finds the drives' torques a second time, from velocities; `compiled` is quick for many positions; `carried` holds the result.
+//! `power` finds the drives' torques a second time, from velocities; `opened` and `compiled` are quick for many positions; `carried` holds the result.
 //!
 //! # Forces in joints
 //!
@@ -23,12 +23,13 @@
 //! All numbers are [`Ball`]s, and the same code runs at a pose and within an enclosure of the true position and
 //! motion (`accuracy/`): a stated error is the distance of the one from the other. It runs in f64, too, for one of many positions
 //! (`Counted`): without bounds that takes a fraction of the time, and where all joints are pins and guides, it is done by what `compiled` has
-//! found once for all positions.
+//! found once for all positions, several of them side by side ([`Several`]).
 
 mod acting;
 mod carried;
 mod compiled;
 mod equilibrium;
+mod opened;
 mod power;
 
 use acting::LoadList;
@@ -40,7 +41,7 @@ pub(crate) use equilibrium::{driven, own_joint};
 pub use power::Driven;
 pub(crate) use power::lever_states;
 
-use crate::geometry::{Ball, Pair, Solvable, Vector, degrees_of};
+use crate::geometry::{Ball, Pair, Several, Solvable, Vector, degrees_of};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use crate::motion::{Places, State, bounded_motion};
 use crate::position::Pose;
@@ -105,6 +106,20 @@ impl Counted for f64 {
 
     fn factor(self, over: &Over) -> f64 {
         over.at_exactly(self)
+    }
+}
+
+impl Counted for Several {
+    fn of_ball(ball: Ball) -> Several {
+        ball.high.into()
+    }
+
+    fn degrees(axis: Pair<Several>) -> Several {
+        Several(std::array::from_fn(|lane| degrees_of(Vector::new(axis.x.0[lane], axis.y.0[lane]))))
+    }
+
+    fn factor(self, over: &Over) -> Several {
+        self.map(|at| over.at_exactly(at))
     }
 }
 

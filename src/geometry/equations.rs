@@ -52,6 +52,14 @@ impl<N: Solvable> Equations<N> {
         if self.size == 0 { Some(Vec::new()) } else { N::solved(self) }
     }
 
+    /// The same equations with other numbers in place of each.
+    #[must_use]
+    pub fn each<M>(&self, number: impl Fn(&N) -> M) -> Equations<M> {
+        let Equations { size, vectors, .. } = *self;
+        let all = |numbers: &[N]| numbers.iter().map(&number).collect();
+        Equations { size, vectors, coefficients: all(&self.coefficients), right: all(&self.right) }
+    }
+
     fn coefficient(&self, equation: usize, unknown: usize) -> N {
         self.coefficients[equation * self.size + unknown]
     }

@@ -12,6 +12,7 @@ mod numbers;
 mod random;
 mod reduced;
 mod refined;
+mod several;
 mod system;
 
 pub use ball::{Ball, RADIANS_PER_SECOND, RADIANS_PER_TURN};
@@ -22,6 +23,7 @@ pub use numbers::{NEAR, Number, Pair, direction_near, quarters_of};
 pub use random::Random;
 pub use reduced::Reduced;
 pub use refined::{Balls, Sides, refined};
+pub use several::{SEVERAL, Several};
 pub use system::{Elements, LinearSystem, Numbers, Verified};
 
 /// A place in the plane, in the scene's length unit. Points cannot be added to each other.

@@ -1,11 +1,11 @@
 //! Forces in joints and drives as quantities, in a position with its rates.
 
 use super::force_name::{ForceOf, LinePart, LoadOf, Towards};
-use super::name::QuantityError;
+use super::name::{QuantityError, QuantityRequest, Spot, What};
 use super::says;
 use super::value::{Quantity, Reader, State};
 use crate::forces::{Compiled, Counted, Forces, Posed, Source, center};
-use crate::geometry::{Pair, Point, Vector};
+use crate::geometry::{Pair, Point, Several, Vector};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use std::cell::OnceCell;
 
@@ -85,6 +85,45 @@ impl<S: State> Reader<'_, S> {
             ForceRead::Number(number) if number.is_finite() => Ok(Quantity::Number(number)),
             ForceRead::Number(_) => Err(self.asked.none(says::no_normal_force())),
             ForceRead::Vector(Pair { x, y }) => Ok(Quantity::Vector(Vector::new(x, y))),
+        }
+    }
+}
+
+impl QuantityRequest {
+    /// What loads and joints do in the mechanism, where this is a force that needs no more than places and rates of links: one that is
+    /// found at several positions at once.
+    pub(crate) fn force_of_links(&self) -> Option<&Compiled> {
+        match &self.what {
+            What::Force(of, compiled) if matches!(of.about(), None | Some(Spot::Point(..))) => Some(compiled),
+            _ => None,
+        }
+    }
+
+    /// This force among all forces of several positions.
+    pub(crate) fn among(
+        &self,
+        mechanism: &Mechanism,
+        forces: &Forces<Several>,
+        posed: &impl Posed<Several>,
+    ) -> Option<ForceRead<Several>> {
+        let What::Force(of, _) = &self.what else { return None };
+        let about = match of.about() {
+            Some(Spot::Point(_, point, _)) => Some(posed.place(*point)),
+            _ => None,
+        };
+        of.read(mechanism, forces, posed, about)
+    }
+
+    /// What was found for one of several positions; `None` where it is infinite.
+    pub(crate) fn of_one(&self, found: &ForceRead<Several>, lane: usize) -> Option<Quantity> {
+        match found {
+            ForceRead::Number(number) => {
+                let number = number.0[lane];
+                number.is_finite().then_some(Quantity::Number(number))
+            }
+            ForceRead::Vector(Pair { x, y }) => {
+                Some(self.component(Quantity::Vector(Vector::new(x.0[lane], y.0[lane]))))
+            }
         }
     }
 }

@@ -111,7 +111,13 @@ impl QuantityRequest {
                 Number(if mm.is_finite() { mm } else { return Err(self.none(says::scale_too_small())) })
             }
         };
-        Ok(match (value, self.written.component) {
+        Ok(self.component(value))
+    }
+
+    /// That component of a vector that is asked for.
+    pub(super) fn component(&self, value: Quantity) -> Quantity {
+        use Quantity::{Number, Vector};
+        match (value, self.written.component) {
             (Vector(v), Some(component)) => Number(match component {
                 Component::X => v.x,
                 Component::Y => v.y,
@@ -119,7 +125,7 @@ impl QuantityRequest {
                 Component::Angle => degrees_of(v),
             }),
             (value, _) => value,
-        })
+        }
     }
 
     pub(super) fn none(&self, why: Message) -> QuantityError {

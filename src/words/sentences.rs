@@ -87,6 +87,13 @@ sentences! {
     lay_off_normal_part(line, centre, from, to);
     lay_off_normal_parts(line, from, to);
     solve(unknowns);
+    solve_wheel(unknowns);
+    solve_wheel_with_mesh(unknowns);
+    solve_meshes(unknowns);
+    solve_meshes_accelerated(unknowns);
+    pitch_at_rest(image, with);
+    lay_off_pitch(link, point, from, arm);
+    lay_off_pitch_turned(link, point, from, arm);
     no_construction;
     no_construction_far(points);
     lay_off_relative(link, point, from, arm);
@@ -439,6 +446,12 @@ sentences! {
     exercise_lever(scales);
     exercise_guide(slider, place, degrees);
     exercise_guide_through(slider, line);
+    exercise_wheel(link, teeth);
+    exercise_ring(link, teeth);
+    exercise_fixed_wheel(teeth);
+    exercise_fixed_ring(teeth);
+    exercise_mesh(first, second);
+    exercise_mesh_on(first, second, arm);
     exercise_room(velocity, acceleration, paper);
     exercise_sheets;
     exercise_center_sheet;

@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use support::files;
 use support::stages::solved;
+use support::survey::Size;
 
 const UNITS: &str = r#"{ "length": "mm", "time": "s", "mass": "kg", "force": "N" }"#;
 
@@ -350,4 +351,30 @@ fn exercises_have_forces_that_a_hand_draws_well() {
         let sheets = exercise.sheets("forces-5-1");
         assert!(sheets.len() >= 2, "{kind}: a sheet for the forces follows");
     }
+}
+
+/// An engine's gas force beside the weight of its light rod: who asks for an exercise is told which forces are so unequal.
+#[test]
+fn unequal_forces_are_named() {
+    if !Size::is_usual("a thousand variants, none of which can be drawn") {
+        return;
+    }
+    let scene = json!({
+        "kinegon": 1, "units": { "length": "mm", "time": "s", "mass": "kg", "force": "N" }, "ground": { "A": [0, 0] },
+        "links": {
+            "1": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "angle": 50, "omega": 10 } },
+            "2": { "points": ["B", "C"], "lengths": { "BC": 180 }, "mass": 0.3, "center": 70 },
+            "3": { "points": ["C"] },
+        },
+        "sliders": [{ "link": "3", "at": "C", "on": "ground", "through": [0, 0], "along": 0 }],
+        "near": { "C": [200, 0] }, "gravity": [0, -9810], "analysis": "static",
+        "forces": [{ "name": "P", "on": "3", "at": "C", "force": [-4000, 0] }],
+        "figure": { "panels": ["scheme", "forces"] },
+    });
+    let base = solved(&scene.to_string()).expect("a good scene");
+    let error = Exercises::new(&base, None, 1).expect("it varies").next().expect_err("3 N beside 4000");
+    let told = error.to_string();
+    // 0.3 kg weigh 2.9 N.
+    assert!(told.contains("W_2"), "{told}");
+    assert!(told.contains("leave out what is so small"), "{told}");
 }

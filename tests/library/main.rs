@@ -19,7 +19,7 @@
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
 //!   `levers` turns slotted levers round.
 //! - Forces: `forces` holds what joints and drives carry to 35 cases of 60 digits, to virtual power, to energy over a turn and to momentum;
-//!   `named_forces` holds parts of reactions, arms, inertia, moments, powers and shaking forces to them, by their names;
+//!   `force_tables` holds tables of them to single positions, `free_bodies` stated errors of random mechanisms to numbers of 256 bits; `named_forces` holds parts of reactions, arms, inertia, moments, powers and shaking forces to them, by their names;
 //!   `polygons` holds force plans to these cases, and of random groups to the equations of equilibrium, and sees their polygons close.
 //! - Drives: `driven_sliders` holds cylinders and telescopes to independent truth, from lengths and as drawn, and
 //!   their plans to closing; `driven_cycles` moves each of their drives; `cycle` holds paths to closed forms, random
@@ -29,6 +29,7 @@
 //!   links' images.
 //! - Racks and belts: `racks` holds rolling wheels, racks and the forces of teeth to closed forms and independent digits.
 //! - Wheels: `gears` holds trains to independent digits and to Willis' formula, geared five-bars and rolling curves to closed forms, pitch points to centres.
+//! - Wheels: `trains` holds their construction by pitch points to the same formula, and exercises to teeth that fit; `gears` holds trains to independent digits and to Willis' formula, geared five-bars and rolling curves to closed forms, pitch points to centres.
 //! - Sizes: `sizes` draws a thousand links, and holds how time grows; `growth` does so for what else may be large.
 //! - By hand: `pull` holds pulled points to being nearest and cranks to the pointer; `stage` its handles to the
 //!   marks, its own position to the figure, modes to their numbers.
@@ -81,9 +82,11 @@ mod editing;
 mod error_bounds;
 mod films;
 mod first_wrong;
+mod force_tables;
 mod forces;
 mod forces_checked;
 mod forms;
+mod free_bodies;
 mod fuzzed;
 mod gallery_measured;
 mod gears;
@@ -128,6 +131,7 @@ mod students;
 mod studies;
 mod templates;
 mod ties;
+mod trains;
 mod values;
 mod whole_errors;
 mod worked;

@@ -363,3 +363,24 @@ fn the_companion_stands_beside() {
         }
     }
 }
+
+/// Words in a corner stay in their panel, also where that is narrower than they are.
+#[test]
+fn words_in_a_corner_fit_a_telephone() {
+    let mut scene: serde_json::Value = serde_json::from_str(&files::read("templates/watt-1.json")).expect("JSON");
+    scene["units"]["force"] = "N".into();
+    scene["forces"] = serde_json::json!([{ "on": "5", "at": "G", "force": [0, -100] }]);
+    scene["figure"]["panels"] = serde_json::json!(["scheme", "velocity", "acceleration", "forces"]);
+    let own = solved(&scene.to_string()).expect("it can be solved");
+    let telephone = Pane { width: 352.0, height: 190.0, letters: 12.0, words: false };
+    let layout = HeldLayout::of_positions(&own, &Positions::of(&own), None, None, Some(telephone));
+    let drawing = layout.draw(&own, None);
+    let frames: Vec<Rect> = layout.panels(&drawing).iter().map(|panel| panel.frame).collect();
+    let words = drawing.marks.iter().filter_map(|mark| match &mark.shape {
+        Shape::Text(text) if format!("{:?}", text.text).contains("without a scale") => Some(text.ink_box()),
+        _ => None,
+    });
+    let words: Vec<Rect> = words.collect();
+    assert_eq!(words.len(), 1);
+    assert!(frames.iter().any(|frame| frame.x0 <= words[0].x0 && words[0].x1 <= frame.x1), "{words:?} {frames:?}");
+}

@@ -35,6 +35,19 @@ fn mistakes_with_instant_centres_are_named_and_honest_hands_are_not_accused() {
 }
 
 #[test]
+fn mistakes_with_wheels_are_named_and_honest_hands_are_not_accused() {
+    let Some(python) = find("python3") else {
+        return;
+    };
+    let judge = files::path("tests/students/gears.py");
+    let words = ["--scenes", "7", "--honest", "21", "--each", "7", "--limits"];
+    let program = [QUIET.as_ref(), judge.as_os_str(), env!("CARGO_BIN_EXE_kinegon").as_ref()];
+    let said = run(&python, program.into_iter().chain(words.map(AsRef::as_ref)));
+    let said = String::from_utf8(said).expect("text");
+    assert!(said.contains("honest accused 0.00 %"), "{said}");
+}
+
+#[test]
 fn mistakes_with_forces_are_named_and_honest_hands_are_not_accused() {
     let Some(python) = find("python3") else {
         return;

@@ -6,18 +6,17 @@
 Mechanisms are those of centers.py; each centre is found over two third links by lot. A drawing with a mistake counts where the wrong line misses its centre, or the wrong
 number its value, plainly. *first*: the first operation that is called wrong is the one that was put in; *named*: its mistake is told besides. Honest drawings, exact and by
 pencil, must have no operation called wrong. What a student may have meant by a line is not asked: each mistake is put into one operation."""
-import argparse
 import itertools
 import json
 import math
 import random
-import subprocess
 import sys
 import tempfile
 from collections import Counter
 from pathlib import Path
 
 from centers import (KINDS, Stuck, cross, distance, exact_centres, is_far, lines_for, order, pair, place, point, sine)
+from survey import arguments, check, keep
 
 MISTAKES = {
     "wrong-third-link": "lines-without-common-link", "line-of-another-centre": "lines-without-common-link", "centre-along-guide": "centre-along-guide",
@@ -272,18 +271,19 @@ def run(options):
                 drawing = {"kinegon_drawing": 1, "mu_c": mu, "did": board.did}
                 path = work / f"{number}.json"
                 path.write_text(json.dumps(drawing))
-                ran = subprocess.run([options.kinegon, "check", str(work / "scene.json"), str(path), "--json"], capture_output=True, text=True)
-                if not ran.stdout:
+                result, refused = check(options.kinegon, work / "scene.json", path)
+                fault = f"{mistake or 'honest'}-{kind.__name__}-{index}-{number}"
+                if result is None:
                     honest["refused" if mistake is None else "refused wrong"] += 1
-                    keep(options, work, path, f"refused-{kind.__name__}-{index}-{number}", ran.stderr)
+                    keep(options, work / "scene.json", f"refused-{fault}", drawing=path.read_text(), said=json.dumps(refused))
                     continue
-                result = json.loads(ran.stdout)["drawing"]
+                result = result["drawing"]
                 first = result.get("first_wrong")
                 if mistake is None:
                     kinds[kind.__name__] += 1
                     honest["right" if first is None else "accused by pencil" if by_pencil else "accused exact"] += 1
                     if first is not None:
-                        keep(options, work, path, f"honest-{kind.__name__}-{index}-{number}", json.dumps(result["entries"][first]))
+                        keep(options, work / "scene.json", fault, drawing=path.read_text(), said=json.dumps(result["entries"][first]))
                     continue
                 if first is None:
                     outcome = "silent"
@@ -297,7 +297,8 @@ def run(options):
                         found[mistake]["named"] += 1
                 found[mistake][outcome] += 1
                 if outcome != "first" or own != MISTAKES[mistake]:
-                    keep(options, work, path, f"{mistake}-{kind.__name__}-{index}-{number}", f"wrong is {board.wrong}: " + json.dumps(result["entries"][first] if first is not None else None))
+                    said = dict(wrong=board.wrong, told=result["entries"][first] if first is not None else None)
+                    keep(options, work / "scene.json", fault, drawing=path.read_text(), said=json.dumps(said))
     print("honest:", sum(honest.values()), dict(honest), dict(kinds))
     all_first, all_named, everything = 0, 0, 0
     for mistake in wanted_mistakes:
@@ -311,22 +312,5 @@ def run(options):
     return 1 if options.limits and (all_first < 0.9 * everything or all_named < 0.9 * everything or accused) else 0
 
 
-def keep(options, work, drawing, name, said):
-    if options.faults:
-        options.faults.mkdir(exist_ok=True)
-        (options.faults / f"{name}.scene.json").write_text((work / "scene.json").read_text())
-        (options.faults / f"{name}.drawing.json").write_text(drawing.read_text())
-        (options.faults / f"{name}.txt").write_text(said)
-
-
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("kinegon")
-    parser.add_argument("--scenes", type=int, default=60)
-    parser.add_argument("--honest", type=int, default=360)
-    parser.add_argument("--each", type=int, default=60)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--mistake", action="append")
-    parser.add_argument("--faults", type=Path)
-    parser.add_argument("--limits", action="store_true")
-    sys.exit(run(parser.parse_args()))
+    sys.exit(run(arguments(__doc__, honest=360)))

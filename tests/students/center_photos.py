@@ -24,6 +24,7 @@ from PIL import Image
 from camera import Camera
 from centers import KINDS, Sheet, Stuck, distance, drawable, is_far, place
 from pencil import Page
+from survey import check
 
 PER_MM = 14
 SAME, WRONG = 0.5, 1.5
@@ -150,11 +151,10 @@ def run(kinegon, number, args):
         filled = {"kinegon_measured": 1, "mu_c": mu, "upright": True, "values": {}, "points": {"centers": points}}
         path = folder / args.out / f"{key}.json"
         path.write_text(json.dumps(filled))
-        report = subprocess.run([kinegon, "check", str(folder / "scene.json"), str(path), "--json"], capture_output=True, text=True)
-        if not report.stdout:
-            told[key] = report.stderr.strip()
+        result, refused = check(kinegon, folder / "scene.json", path)
+        if result is None:
+            told[key] = refused.strip()
             continue
-        result = json.loads(report.stdout)
         mistakes = [m["mistake"] for m in result["diagnosis"]["mistakes"]]
         off = sum(v["verdict"] == "off" for v in result["values"])
         told[key] = "named" if mistakes and all(m == told["mistake"] for m in mistakes) else "unknown" if mistakes == ["unknown"] else " + ".join(mistakes) or ("off" if off else "right")

@@ -4,12 +4,9 @@ Its author's Kennedy works with homogeneous coordinates on paper, looks for its 
 
     centers.py KINEGON [--scenes N] [--honest N] [--each N] [--mistake NAME] [--faults FOLDER] [--limits]
 
-Each scene is a random mechanism whose centres a hand draws well. A sheet with a mistake counts where that moves a value plainly, to 1.5 times
-what is allowed. *named*: the mistake is told; *located*: `unknown`, at or before the first value that is off; *silent*: nothing is told;
-*wrong*: something else is told.
+Each scene is a random mechanism whose centres a hand draws well. `survey.py` says how sheets are counted.
 """
 
-import argparse
 import itertools
 import json
 import math
@@ -18,8 +15,9 @@ import re
 import subprocess
 import sys
 import tempfile
-from collections import Counter
 from pathlib import Path
+
+from survey import Survey, arguments
 
 MM, DEGREES = 0.3, 0.3
 
@@ -548,37 +546,32 @@ MISTAKES = ["centre-along-guide", "centre-at-slider", "lines-without-common-link
 
 def run(options):
     rng = random.Random(options.seed)
-    honest, outcomes, told_wrong, kinds = Counter(), {m: Counter() for m in MISTAKES}, {m: Counter() for m in MISTAKES}, Counter()
-    wanted, routes = options.mistake or MISTAKES, Counter()
-    index = 0
-    while index < options.scenes:
-        kind = KINDS[index % len(KINDS)]
-        index += 1
+    survey = Survey(options, MISTAKES, lambda told, mistake: bool(told) and all(t == mistake for t in told))
+    for index in range(1, options.scenes + 1):
+        kind = KINDS[(index - 1) % len(KINDS)]
         with tempfile.TemporaryDirectory() as work:
             work = Path(work)
             mechanism, mu, ways, form, names, is_same = drawable(kind, rng, options.kinegon, work)
             perfect = Sheet(mechanism, mu, ways, random.Random(1), size=0.0)
             right = [place(p) for p in perfect.known.values() if not is_far(p)]
-            forms, planted = work / "forms", {}
-            forms.mkdir()
+            planted = {}
 
             def save(key, sheet, mistake):
                 try:
                     form["values"] = sheet.values(names)
                 except (Stuck, KeyError, ZeroDivisionError):
-                    return False
-                form["name"] = key
-                (forms / f"{key}.json").write_text(json.dumps(form))
-                planted[key] = (mistake, sheet)
-                return True
+                    return
+                if mistake is None or sheet.made:
+                    form["name"] = key
+                    (work / f"{key}.json").write_text(json.dumps(form))
+                    planted[key] = mistake
 
-            per_scene = -(-options.honest // options.scenes)
-            for number in range(per_scene):
+            for number in range(-(-options.honest // options.scenes)):
                 try:
                     save(f"honest-{number}", Sheet(mechanism, mu, ways, rng), None)
                 except Stuck:
                     pass
-            for mistake in wanted:
+            for mistake in survey.wanted:
                 for number in range(-(-options.each // options.scenes * 6 // 3)):
                     try:
                         sheet = Sheet(mechanism, mu, ways, rng, mistake, right=right)
@@ -586,78 +579,12 @@ def run(options):
                         continue
                     if mistake == "lengths-without-scale" and mu == 1:
                         continue
-                    key = f"{mistake}-{number}"
-                    if save(key, sheet, mistake) and not sheet.made:
-                        (forms / f"{key}.json").unlink()
-                        del planted[key]
-            if not planted:
-                continue
-            for key, (mistake, sheet) in planted.items():
-                report = subprocess.run([options.kinegon, "check", str(work / "scene.json"), str(forms / f"{key}.json"), "--json"],
-                                        capture_output=True, text=True)
-                result = json.loads(report.stdout) if report.stdout else None
-                if result is None:
-                    raise SystemExit(f"{key}: {report.stderr}")
-                told = [m["mistake"] for m in result["diagnosis"]["mistakes"]]
-                off = [v for v in result["values"] if v["verdict"] == "off"]
-                if mistake is None:
-                    kinds[kind.__name__] += 1
-                    honest["accused" if told else "off" if off else "passed"] += 1
-                    if told or off:
-                        keep(options, work, forms / f"{key}.json", f"honest-{kind.__name__}-{index}-{key}", told)
-                    continue
-                plain = any(abs(v["difference"]) > 1.5 * v.get("allowed", math.inf) for v in result["values"])
-                if not plain:
-                    continue
-                if told and all(t == mistake for t in told):
-                    outcome = "named"
-                elif told == ["unknown"]:
-                    first = off[0]["step"] if off else 0
-                    outcome = "located" if result["diagnosis"]["mistakes"][0]["step"] <= first else "wrong"
-                elif not told:
-                    outcome = "silent"
-                elif mistake in told:
-                    outcome = "beside"
-                else:
-                    outcome = "wrong"
-                outcomes[mistake][outcome] += 1
-                routes["as in the steps" if is_same else "another route", outcome] += 1
-                if outcome != "named":
-                    told_wrong[mistake][" + ".join(told) or "-"] += 1
-                    keep(options, work, forms / f"{key}.json", f"{mistake}-{kind.__name__}-{index}-{key}", told)
-    count = sum(honest.values())
-    print("honest:", count, dict(honest), dict(kinds))
-    total = Counter()
-    for mistake in wanted:
-        all_of = sum(outcomes[mistake].values())
-        total.update(outcomes[mistake])
-        share = 100 * outcomes[mistake]["named"] / all_of if all_of else 0
-        print(f"{mistake:28} {all_of:5} named {share:5.1f} %  {dict(outcomes[mistake])}  {dict(told_wrong[mistake].most_common(4))}")
-    for route in ("as in the steps", "another route"):
-        found = {outcome: count for (own, outcome), count in routes.items() if own == route}
-        if found:
-            print(f"{route}: {sum(found.values())}, named {100 * found.get('named', 0) / sum(found.values()):.1f} %")
-    all_of = max(sum(total.values()), 1)
-    named, accused = 100 * total["named"] / all_of, 100 * honest["accused"] / max(count, 1)
-    print(f"all {all_of}: named {named:.1f} %, wrong {100 * (total['wrong'] + total['beside']) / all_of:.1f} %; honest accused {accused:.2f} %")
-    return 1 if options.limits and (named < 90 or accused > 1) else 0
-
-
-def keep(options, work, form, name, told):
-    if options.faults:
-        options.faults.mkdir(exist_ok=True)
-        (options.faults / f"{name}.scene.json").write_text((work / "scene.json").read_text())
-        (options.faults / f"{name}.form.json").write_text(form.read_text())
+                    save(f"{mistake}-{number}", sheet, mistake)
+            for key, mistake in planted.items():
+                route = "as in the steps" if is_same else "another route"
+                survey.judge(work / "scene.json", work / f"{key}.json", kind.__name__, mistake, route, f"{kind.__name__}-{index}-{key}")
+    return survey.report(least=90)
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("kinegon")
-    parser.add_argument("--scenes", type=int, default=60)
-    parser.add_argument("--honest", type=int, default=600)
-    parser.add_argument("--each", type=int, default=60)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--mistake", action="append")
-    parser.add_argument("--faults", type=Path)
-    parser.add_argument("--limits", action="store_true")
-    sys.exit(run(parser.parse_args()))
+    sys.exit(run(arguments(__doc__)))

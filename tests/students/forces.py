@@ -5,19 +5,18 @@ takes moments with arms that it measures, and draws polygons, as the books do; o
 
     forces.py KINEGON [--scenes N] [--honest N] [--each N] [--mistake NAME] [--faults FOLDER] [--limits]
 
-A sheet with a mistake counts where that moves a value plainly, to 1.5 times what is allowed. *named*: the mistake is told; *located*: `unknown`, at or
-before the first value that is off; *silent*: nothing is told; *wrong*: something else is told.
+`survey.py` says how sheets are counted.
 """
 
-import argparse
 import json
 import math
 import random
 import subprocess
 import sys
 import tempfile
-from collections import Counter
 from pathlib import Path
+
+from survey import Survey, arguments
 
 MM, DEGREES = 0.3, 0.3
 G = 9810.0
@@ -926,16 +925,14 @@ def is_named(told, mistake):
 
 def run(options):
     rng = random.Random(options.seed)
-    honest, outcomes, told_wrong, kinds, routes = Counter(), {m: Counter() for m in MISTAKES}, {m: Counter() for m in MISTAKES}, Counter(), Counter()
-    wanted = options.mistake or MISTAKES
+    survey = Survey(options, MISTAKES, is_named)
     for index in range(options.scenes):
         on_lever = index % 5 == 4
         kind = KINDS[(index // 5 if on_lever else index - index // 5) % len(KINDS)]
         with tempfile.TemporaryDirectory() as work:
             work = Path(work)
             m, mu_l, mu_f, mu_h, form, names, total = drawable(kind, rng, options.kinegon, work, on_lever)
-            forms, planted = work / "forms", {}
-            forms.mkdir()
+            planted = {}
 
             def sheet(mistake, route):
                 if on_lever:
@@ -947,7 +944,7 @@ def run(options):
                 form["values"] = {name: text(name, drawn.values[name]) for name in names if name in drawn.values}
                 form["name"] = key
                 form["positive"] = "counter-clockwise"
-                (forms / f"{key}.json").write_text(json.dumps(form))
+                (work / f"{key}.json").write_text(json.dumps(form))
                 planted[key] = (mistake, route)
 
             for number in range(-(-options.honest // options.scenes)):
@@ -956,7 +953,7 @@ def run(options):
                     save(f"honest-{number}", sheet(None, route), None, route)
                 except Stuck:
                     pass
-            for mistake in wanted:
+            for mistake in survey.wanted:
                 if on_lever and mistake not in ON_LEVER or not on_lever and mistake in ("lever-not-turned", "couple-on-lever-unscaled"):
                     continue
                 each = options.each // options.scenes * (5 if mistake in ("lever-not-turned", "couple-on-lever-unscaled") else 2)
@@ -968,69 +965,12 @@ def run(options):
                         continue
                     if drawn.made:
                         save(f"{mistake}-{number}", drawn, mistake, route)
+            of = kind.__name__ + (" on a lever" if on_lever else "")
             for key, (mistake, route) in planted.items():
-                report = subprocess.run([options.kinegon, "check", str(work / "scene.json"), str(forms / f"{key}.json"), "--json"],
-                                        capture_output=True, text=True)
-                result = json.loads(report.stdout) if report.stdout else None
-                if result is None:
-                    raise SystemExit(f"{key}: {report.stderr}")
-                told = [found["mistake"] for found in result["diagnosis"]["mistakes"]]
-                off = [v for v in result["values"] if v["verdict"] == "off"]
-                if mistake is None:
-                    kinds[kind.__name__ + (" on a lever" if on_lever else "")] += 1
-                    honest["accused" if told else "off" if off else "passed"] += 1
-                    if told or off:
-                        keep(options, work, forms / f"{key}.json", f"honest-{kind.__name__}-{index}-{key}")
-                    continue
-                if not any(abs(v["difference"]) > 1.5 * v.get("allowed", math.inf) for v in result["values"]):
-                    continue
-                if is_named(told, mistake):
-                    outcome = "named"
-                elif told == ["unknown"]:
-                    first = off[0]["step"] if off else 0
-                    outcome = "located" if result["diagnosis"]["mistakes"][0]["step"] <= first else "wrong"
-                elif not told:
-                    outcome = "silent"
-                elif mistake in told:
-                    outcome = "beside"
-                else:
-                    outcome = "wrong"
-                outcomes[mistake][outcome] += 1
-                routes["lever" if on_lever else f"route {route}", outcome] += 1
-                if outcome != "named":
-                    told_wrong[mistake][" + ".join(told) or "-"] += 1
-                    keep(options, work, forms / f"{key}.json", f"{mistake}-{kind.__name__}-{index}-{key}")
-    count, total = sum(honest.values()), Counter()
-    print("honest:", count, dict(honest), dict(kinds))
-    for mistake in wanted:
-        all_of = sum(outcomes[mistake].values())
-        total.update(outcomes[mistake])
-        share = 100 * outcomes[mistake]["named"] / all_of if all_of else 0
-        print(f"{mistake:28} {all_of:5} named {share:5.1f} %  {dict(outcomes[mistake])}  {dict(told_wrong[mistake].most_common(4))}")
-    for route in sorted({own for own, _ in routes}):
-        found = {outcome: n for (own, outcome), n in routes.items() if own == route}
-        print(f"{route}: {sum(found.values())}, named {100 * found.get('named', 0) / sum(found.values()):.1f} %")
-    all_of = max(sum(total.values()), 1)
-    named, accused = 100 * total["named"] / all_of, 100 * honest["accused"] / max(count, 1)
-    print(f"all {all_of}: named {named:.1f} %, wrong {100 * (total['wrong'] + total['beside']) / all_of:.1f} %; honest accused {accused:.2f} %")
-    return 1 if options.limits and (named < 85 or accused > 1) else 0
-
-
-def keep(options, work, form, name):
-    if options.faults:
-        options.faults.mkdir(exist_ok=True)
-        (options.faults / f"{name}.scene.json").write_text((work / "scene.json").read_text())
-        (options.faults / f"{name}.form.json").write_text(form.read_text())
+                route = "lever" if on_lever else f"route {route}"
+                survey.judge(work / "scene.json", work / f"{key}.json", of, mistake, route, f"{kind.__name__}-{index}-{key}")
+    return survey.report(least=85)
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("kinegon")
-    parser.add_argument("--scenes", type=int, default=60)
-    parser.add_argument("--honest", type=int, default=600)
-    parser.add_argument("--each", type=int, default=60)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--mistake", action="append")
-    parser.add_argument("--faults", type=Path)
-    parser.add_argument("--limits", action="store_true")
-    sys.exit(run(parser.parse_args()))
+    sys.exit(run(arguments(__doc__)))

@@ -163,8 +163,12 @@ macro_rules! catalogue {
                 center_of_other_lines(center, other)
                 centers_swapped(first, second)
             }
-            /// A ratio of distances of centres upside down.
-            RatioInverted "ratio-inverted" 5.0 by_centers::ratio_inverted { ratio_inverted(rate, over, under) }
+            /// A ratio of distances of centres, or of numbers of teeth, upside down.
+            RatioInverted "ratio-inverted" 5.0 teeth::inverted {
+                ratio_inverted(rate, over, under)
+                /// Of the teeth of two wheels.
+                teeth_inverted(first, second)
+            }
             /// The sense of a rate or a velocity by centres reversed.
             SenseByCenter "sense-by-centre" 6.0 by_centers::sense_by_center {
                 sense_by_center(rate)
@@ -231,7 +235,7 @@ macro_rules! catalogue {
                 factor_of_thousand(load)
             }
             /// Moments taken about a point through which the lines of the other unknowns do not pass.
-            MomentAboutWrongPoint "moment-about-wrong-point" 5.0 moments::about_wrong_point {
+            MomentAboutWrongPoint "moment-about-wrong-point" 15.0 moments::about_wrong_point {
                 moment_about_wrong_point(found, wrong, right)
             }
             /// Forces put on the velocity plan as it is, not turned.
@@ -242,6 +246,29 @@ macro_rules! catalogue {
             }
             /// The torque of a drive with the sense of what it works against.
             TorqueSense "torque-sense" 5.0 polygons::torque_sense { torque_sense(found) }
+            /// Wheels that touch outside taken to turn alike, or a ring and the wheel in it to turn opposite ways.
+            MeshSense "mesh-sense" 12.0 teeth::sense {
+                mesh_sense(first, second)
+                mesh_sense_internal(first, second)
+            }
+            /// The ratio of teeth taken for the rates themselves, not for those relative to the carrier.
+            ArmForgotten "arm-forgotten" 6.0 teeth::arm_forgotten { arm_forgotten(first, second, arm) }
+            /// The rate of a wheel relative to its carrier in place of that to the frame.
+            RelativeForAbsolute "relative-for-absolute" 5.0 teeth::relative { relative_for_absolute(rate, arm) }
+            /// The teeth of a wheel between two others in the ratio of these.
+            IdlerCounted "idler-counted" 5.0 teeth::idler_counted { idler_counted(idler, first, last) }
+            /// The pitch point of a ring on the near side of the wheel in it.
+            PitchPointOnWrongSide "pitch-point-on-wrong-side" 4.0 teeth::wrong_side { pitch_on_wrong_side(wheel, ring) }
+            /// The other rim of a wheel with two.
+            RimOfCompoundSwapped "rim-of-compound-swapped" 4.0 teeth::rim_swapped {
+                rim_swapped(wheel, other)
+                /// In both meshes.
+                rims_swapped(wheel)
+            }
+            /// The accelerations of two wheels taken as equal where they touch.
+            AccelerationsEqualAtP "accelerations-equal-at-P" 6.0 teeth::accelerations_equal {
+                accelerations_equal(first, second)
+            }
             /// The other assembly mode.
             OtherMode "other-mode" 4.0 lengths::other_mode { other_mode() }
             /// The mechanism drawn at another angle of its crank.

@@ -16,9 +16,11 @@ mod rates;
 mod rays;
 mod routes;
 mod site;
+mod teeth;
 mod told;
 mod unknown;
 mod vectors;
+mod wheels;
 
 pub(super) use beside::measured_there;
 use catalogue::catalogue;

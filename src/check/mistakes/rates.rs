@@ -2,6 +2,7 @@
 
 use super::lengths::{Length, lengths};
 use super::site::{Candidate, Reinterpretation, Site, Term, times};
+use super::teeth;
 use super::told::{Blank, Mistake, Told, tell};
 use super::vectors::OfTerm;
 use crate::check::entry::Entry;
@@ -24,8 +25,12 @@ fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)
 
 /// A rate taken with the wrong sense: in all that follows, or only as it is written.
 pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
+    // `teeth::sense` has those of wheels.
+    let of_wheels = teeth::reversed(site);
     // `centers::sense_by_center` has those by centres.
-    let of_plans = rates(site).filter(|(_, number, _)| matches!(site.number_kind(*number), NumberKind::Rate(_)));
+    let of_plans = rates(site).filter(|(_, number, _)| {
+        matches!(site.number_kind(*number), NumberKind::Rate(_)) && !of_wheels.contains(number)
+    });
     let taken = of_plans.filter_map(|(operation, number, _)| {
         let mut candidate = site.candidate(tell::wrong_sense(as_asked(site, number)), times(operation, number, -1.0));
         if site.is_given(number) {
@@ -53,6 +58,7 @@ pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
     for (index, entry) in site.entries.iter().enumerate() {
         let reading = site.model.readings[index].ok();
         let number = reading.map(|reading| reading.number).filter(|number| site.model.used[number.0]);
+        let number = number.filter(|number| !of_wheels.contains(number));
         let is_rate = number.is_some_and(|number| matches!(site.number_kind(number), NumberKind::Rate(_)));
         if is_rate && !entry.is_magnitude {
             found.push(only_written(site, tell::wrong_sense(entry_symbol(entry)), &[index], -1.0));
@@ -74,6 +80,12 @@ pub(super) fn senses_reversed(site: &Site<'_>) -> Vec<Candidate> {
         is_turning(&entry.asked.what) && !entry.is_magnitude && site.model.readings[*index].is_ok()
     });
     let all: Vec<usize> = signed.map(|(index, _)| index).collect();
+    // Of wheels alone it is `teeth::sense` in the first mesh.
+    let of_wheels = teeth::rates(site);
+    let is_of_wheel = |index: &usize| site.model.readings[*index].is_ok_and(|r| of_wheels.contains(&r.number));
+    if !of_wheels.is_empty() && all.iter().all(is_of_wheel) {
+        return Vec::new();
+    }
     // Of a single rate this is `wrong_sense`.
     match all.len() {
         0 | 1 => Vec::new(),

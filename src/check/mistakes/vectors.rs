@@ -2,6 +2,7 @@
 //! accelerations among them.
 
 use super::site::{Candidate, Laid, Site, Term, instead, times};
+use super::teeth;
 use super::told::{Blank, Told, tell};
 use crate::construction::{
     Action, Along, Change, Disturbance, NumberId, NumberKind, OperationKind, PlaceId, Product, ProductKind, Rate,
@@ -14,10 +15,13 @@ use crate::sheet::{Order, Sheet};
 /// The reversed vectors that have no name of their own: a normal part alone is laid off outward, a Coriolis
 /// acceleration alone is turned the wrong way, and the velocity of a crank has the wrong sense of its ω.
 pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
+    let to_rings = teeth::laid_off_to_rings(site);
     let vectors = site.vectors().into_iter().filter(|vector| {
         let of_crank = || vector.sum.iter().all(|product| site.is_of_crank(product));
         let is_crank = vector.is_only(ProductKind::Turning) && vector.sheet == Sheet::Velocity && of_crank();
-        !(vector.is_only(ProductKind::Normal) || vector.is_only(ProductKind::Coriolis) || is_crank)
+        let is_other = vector.is_only(ProductKind::Normal) || vector.is_only(ProductKind::Coriolis) || is_crank;
+        // `teeth::wrong_side` has those to rings.
+        !is_other && !to_rings.contains(&vector.operation)
     });
     let laid = vectors.map(|vector| {
         let [start, end] = vector.ends;

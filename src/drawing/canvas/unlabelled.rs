@@ -7,7 +7,7 @@ use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Pen, Unlabelled, UnlabelledName};
 use crate::drawing::text::{ABOVE, BESIDE, CAPTION, PlacedText, RichText};
 use crate::words::Language;
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Point, Rect};
 
 /// White between a panel's edge and words in its corner, in mm.
 const CORNER: f64 = 2.5;
@@ -122,12 +122,14 @@ impl Canvas<'_> {
     /// Says something in a corner of the panel from a step on; `name` is the end of its mark's id. Returns its box.
     pub(super) fn say(&mut self, name: &str, words: &str, step: u16) -> Rect {
         let text = RichText::plain(words);
-        let size = Vec2::new(text.width(CAPTION), CAPTION);
-        let (left, right) = (self.frame.x0 + CORNER, self.frame.x1 - CORNER - size.x);
+        // In a panel that is narrower than the words, as on a telephone, they are smaller.
+        let room = self.frame.width() - 2.0 * CORNER;
+        let height = CAPTION * (room / text.width(CAPTION)).min(1.0);
+        let (left, right) = (self.frame.x0 + CORNER, self.frame.x1 - CORNER - text.width(height));
         let (top, bottom) = (self.frame.y0 + self.header, self.frame.y1 - CORNER);
-        let corners = [(left, bottom), (right, bottom), (right, top + CAPTION), (left, top + CAPTION)];
+        let corners = [(left, bottom), (right, bottom), (right, top + height), (left, top + height)];
         let corners = corners.map(|(x, y)| Point::new(x, y));
-        let place = |from: Point| PlacedText::new(text.clone(), CAPTION, from);
+        let place = |from: Point| PlacedText::new(text.clone(), height, from);
         let covered = |from: &Point| {
             let ink = place(*from).ink_box().inflate(BESIDE, ABOVE);
             let lines = self.obstacles.lines.iter().filter(|(a, b)| clipped_segment(ink, *a, *b).is_some());

@@ -2,11 +2,13 @@
 //! mechanisms.
 
 use super::on_paper::{SchemeOnPaper, circles};
+use crate::construction::{display, image_name};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
 use crate::geometry;
-use crate::mechanism::{GROUND, Joint, Pitch};
+use crate::mechanism::{GROUND, Joint, JointId, Pitch};
+use crate::sheet::Sheet;
 use kurbo::{Point, Vec2};
 use std::f64::consts::{PI, TAU};
 
@@ -38,9 +40,10 @@ impl SchemeOnPaper<'_> {
                 canvas.draw(Pen::Guide, Shape::Arc { center, radius, start, sweep: PI });
             }
         }
-        for joint in &self.mechanism.joints {
+        for (index, joint) in self.mechanism.joints.iter().enumerate() {
             if let Some(pitch) = joint.pitch {
                 self.mesh(canvas, joint, pitch);
+                self.pitch_point(canvas, JointId(index), pitch);
             }
             if let Some(rack) = joint.rack {
                 self.rack(canvas, joint, rack);
@@ -49,6 +52,18 @@ impl SchemeOnPaper<'_> {
                 self.belt(canvas, belt);
             }
         }
+    }
+
+    /// The name of the point where two wheels touch, where a plan has its image.
+    fn pitch_point(&self, canvas: &mut Canvas<'_>, joint: JointId, pitch: Pitch) {
+        let construction = self.context.construction();
+        let name = construction.pitch_name(joint);
+        if construction.place(Sheet::Velocity, &image_name(name)).is_none() {
+            return;
+        }
+        let places = pitch.centers.map(|center| self.pose.point(center));
+        let touch = self.view.at(places[0] + (places[1] - places[0]) * pitch.share::<f64>());
+        canvas.label(name, &display(name), touch, TOUCH, None, 1);
     }
 
     /// The stroke where two wheels touch, and the hatching of the one that is fixed.

@@ -7,14 +7,15 @@ import type { Ask } from "../parts/form.ts";
 import { at, entries, groundOf, isDrawn, linksOf, parsed, pointsOf, pointsOn, type Path, type Draft } from "../parts/scene.ts";
 import { freeLink } from "./free_name.ts";
 import { freshPlace } from "./fresh_place.ts";
+import { LOAD_COMMANDS } from "./load_commands.ts";
 
 /** What a command is given: the scene as it is, and where its points are. */
-interface Present {
+export interface Present {
   scene: Draft;
   places: Places;
 }
 
-type Command = (present: Present, ...given: string[]) => Edit[];
+export type Command = (present: Present, ...given: string[]) => Edit[];
 
 /** Does what is asked for, as one entry of undo. */
 export async function command(app: App, { do: name, with: given }: Ask): Promise<void> {
@@ -28,6 +29,7 @@ export async function command(app: App, { do: name, with: given }: Ask): Promise
 }
 
 const COMMANDS: Record<string, Command> = {
+  ...LOAD_COMMANDS,
   fixed: ({ scene, places }, name) => {
     if (isDrawn(scene) && at(scene, ["points", name!]) !== undefined) return [{ set: ["ground"], value: [...groundOf(scene), name] }];
     return [{ add_point: { link: "ground", name: name!, at: placeOf(places, name!, []) } }];

@@ -11,6 +11,7 @@ import { about, ground } from "./ground.ts";
 import { drawnPoints, known } from "./known.ts";
 import { noteOf } from "./kinds.ts";
 import { links } from "./links.ts";
+import { loads } from "./loads.ts";
 import { near } from "./near.ts";
 import { revealing } from "./revealing.ts";
 import { sliders } from "./sliders.ts";
@@ -39,7 +40,7 @@ function describe(scene: Draft, kinds: Kind[]): Form {
   const first = about();
   if (typeof note === "string") first.help = noteOf(note, kinds, language.value);
   const groups = isDrawn(scene)
-    ? [first, drawnPoints(scene), known(scene), links(scene), sliders(scene)]
-    : [first, ground(scene), links(scene), sliders(scene), near(scene)];
+    ? [first, drawnPoints(scene), known(scene), links(scene), sliders(scene), loads(scene)]
+    : [first, ground(scene), links(scene), sliders(scene), loads(scene), near(scene)];
   return { groups };
 }

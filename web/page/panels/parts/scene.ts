@@ -61,9 +61,20 @@ export function linksOf(scene: Draft): string[] {
   return entries(scene["links"]).map(([name]) => name);
 }
 
-/** The sliders; none where that is no list yet. */
+/** The entries of one of the scene's lists; none where that is no list yet. */
+export function listOf(scene: Draft, key: "sliders" | "forces" | "springs"): readonly unknown[] {
+  return Array.isArray(scene[key]) ? scene[key] : [];
+}
+
+/** The sliders. */
 export function slidersOf(scene: Draft): readonly unknown[] {
-  return Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
+  return listOf(scene, "sliders");
+}
+
+/** Whether something loads a link. */
+export function hasLoads(scene: Draft): boolean {
+  const isHeavy = ([, link]: [string, unknown]): boolean => at(link, ["mass"]) !== undefined || at(link, ["weight"]) !== undefined;
+  return listOf(scene, "forces").length > 0 || listOf(scene, "springs").length > 0 || entries(scene["links"]).some(isHeavy);
 }
 
 /** The points of a link, or of `"ground"`. */
@@ -123,6 +134,7 @@ export interface Units {
   acceleration: string;
   omega: string;
   alpha: string;
+  mass: string;
   forces: string;
 }
 
@@ -135,6 +147,7 @@ export function unitsOf(scene: Draft): Units {
     acceleration: `${length}/${time}²`,
     omega: `rad/${time}`,
     alpha: `rad/${time}²`,
+    mass: String(at(scene, ["units", "mass"]) ?? ""),
     forces: String(at(scene, ["units", "force"]) ?? ""),
   };
 }
