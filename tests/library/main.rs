@@ -27,9 +27,9 @@
 //! - What may not matter: `invariants` turns, mirrors, scales, shifts and renames random groups; `properties` does so
 //!   with whole mechanisms, templates with other numbers, and holds their rates to differences and their plans to the
 //!   links' images.
-//! - Wheels: `trains` holds their construction by pitch points to the same formula, and exercises to teeth that fit; `gears` holds trains to independent digits and to Willis' formula, geared five-bars and rolling curves to closed forms, pitch points to centres.
 //! - Racks and belts: `racks` holds rolling wheels, racks and the forces of teeth to closed forms and independent digits.
 //! - Wheels: `gears` holds trains to independent digits and to Willis' formula, geared five-bars and rolling curves to closed forms, pitch points to centres.
+//! - Wheels: `trains` holds their construction by pitch points to the same formula, and exercises to teeth that fit; `gears` holds trains to independent digits and to Willis' formula, geared five-bars and rolling curves to closed forms, pitch points to centres.
 //! - Sizes: `sizes` draws a thousand links, and holds how time grows; `growth` does so for what else may be large.
 //! - By hand: `pull` holds pulled points to being nearest and cranks to the pointer; `stage` its handles to the
 //!   marks, its own position to the figure, modes to their numbers.
