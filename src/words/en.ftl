@@ -796,7 +796,7 @@ scene-negative_size = size is {$size}; a size is not negative: turn the angle by
 scene-no_page = there is no page "{$name}"
 scene-no_unit = there is no unit of length "{$name}"
 scene-did_you_mean = did you mean `{$name}`?
-scene-joints_out_of_scope = links are joined by pins, straight sliders and gear pairs: belts, chains, racks and cams are out of scope
+scene-joints_out_of_scope = links are joined by pins, straight sliders, gear pairs, racks and belts: cams are out of scope
 scene-forces_out_of_scope = motions follow from the drives: forces, masses, springs and friction are out of scope
 
 # What a form asks for.

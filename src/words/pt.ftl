@@ -767,7 +767,7 @@ scene-negative_size = o tamanho é {$size}; um tamanho não é negativo: em vez 
 scene-no_page = não existe a página "{$name}"
 scene-no_unit = não existe a unidade de comprimento "{$name}"
 scene-did_you_mean = você quis dizer `{$name}`?
-scene-joints_out_of_scope = os elos se unem por pinos, cursores retos e pares de engrenagens: correias, correntes, cremalheiras e cames ficam de fora
+scene-joints_out_of_scope = os elos se unem por pinos, cursores retos, pares de engrenagens, cremalheiras e correias: os cames ficam de fora
 scene-forces_out_of_scope = os movimentos decorrem dos acionamentos: forças, massas, molas e atrito ficam de fora
 
 # What a form asks for.

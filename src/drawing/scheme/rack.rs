@@ -69,7 +69,7 @@ impl SchemeOnPaper<'_> {
         let other = if belt.is_crossed { -radii[1] } else { radii[1] };
         // The sine of the angle between a tangent and the line of the centres; larger than 1 for circles that leave no room for one.
         let sine = (radii[0] - other) / away;
-        if !(sine.abs() < 1.0) {
+        if sine.is_nan() || sine.abs() >= 1.0 {
             return;
         }
         let along = way / away;

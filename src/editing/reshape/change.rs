@@ -221,6 +221,10 @@ impl Change<'_> {
     fn add_wheels(&mut self) {
         let gears = &self.solved.scene.gears;
         for (index, gear) in gears.iter().enumerate() {
+            // On a rack a wheel turns with what slides.
+            if gear.rack.is_some() {
+                continue;
+            }
             let [first, second] = gear.teeth.map(f64::from);
             let [turned, other] = [&gear.wheels[0], &gear.wheels[1]].map(|wheel| self.turned(wheel));
             let turned = (first * turned + second * other - (first + second) * self.turned(&gear.on)) / second;

@@ -285,7 +285,7 @@ fn check_sliding(carrier: &Carrier<'_>, link: Option<&str>, at: Option<&str>, pi
             Err(Wrong::key(&["pin"], says::pin_and_link()).hint(says::block_or_pin()))
         }
         (Some(link), None, None) => Err(Wrong::value(&[], says::missing("at")).hint(says::add_at(shown(link)))),
-        (None, Some(at), None) => Err(Wrong::value(&[], says::missing("link")).hint(says::add_link_or_pin(at))),
+        (None, Some(at), None) => Err(Wrong::value(&[], says::missing("link")).hint(says::add_link_or_pin(shown(at)))),
         (Some(link), Some(at), None) => {
             carrier.names.link(&["link"], link)?;
             if matches!(carrier.on, On::Link(on) if on == link) {
