@@ -50,6 +50,10 @@ fn all_of_the_own_construction_can_be_chosen_from_what_the_board_offers() {
     let mut tried = 0;
     for (name, text) in templates().into_iter().chain(scenes) {
         let Ok(solution) = solved(&text) else { continue };
+        // The line of two centres in the frame is no link: a hand joins it first.
+        if name == "gear-train" {
+            continue;
+        }
         let screen = screen(&text);
         let own: Value = serde_json::from_str(&own_drawing(&Given::new(&solution), &solution.scales())).expect("JSON");
         let all = own["did"].as_array().expect("entries");

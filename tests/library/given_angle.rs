@@ -57,6 +57,10 @@ fn opened(scene: &Value) -> Option<Value> {
 fn the_drive_comes_back_from_the_angle_of_any_link() {
     let (mut back, mut constant, mut failures) = (0, 0, Vec::new());
     for (name, scene) in templates() {
+        // The angle of a wheel, which knows no whole turns, tells the drive up to some teeth alone.
+        if scene.get("gears").is_some() {
+            continue;
+        }
         let Some(open) = opened(&scene) else { continue };
         let (_, plain, truth) = solved(&scene).unwrap_or_else(|e| panic!("{name}: {e}"));
         let rates = motion(&plain, &truth, Order::Velocity).expect("it moves");
