@@ -51,7 +51,7 @@ fn all_of_the_own_construction_can_be_chosen_from_what_the_board_offers() {
     for (name, text) in templates().into_iter().chain(scenes) {
         let Ok(solution) = solved(&text) else { continue };
         // The line of two centres in the frame is no link: a hand joins it first.
-        if name == "gear-train" {
+        if text.contains("\"gears\"") {
             continue;
         }
         let screen = screen(&text);
