@@ -110,7 +110,8 @@ fn lines_cross_well(kind: &str, solution: &Solution) {
             }
         }
     }
-    assert!(crossings > 0, "{kind}");
+    // Wheels turn by measured segments.
+    assert!(crossings > 0 || !solution.scene.gears.is_empty(), "{kind}");
     // Cut lines, by their joints and directions.
     for special in solution.construction.special.iter() {
         let [a, b] = special.cuts.each_ref().map(|cut| cut.line.direction());
