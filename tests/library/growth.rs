@@ -267,8 +267,8 @@ fn rows_of_a_study() {
     is_in_proportion("steps", growth(90, |steps| study(128, [0.0, 360.0, 360.0 / steps as f64]), all));
 }
 
-/// A row, its assembly and three positions, takes one and a half times what it takes to compile its mechanism; were it compiled for
-/// each row it would be two and a half times.
+/// A row, its assembly and three positions, takes less than twice what it takes to compile its mechanism; were it compiled for each row it
+/// would be nearly three times.
 #[test]
 fn a_row_of_a_study_is_not_compiled() {
     const ROWS: usize = 512;
@@ -289,5 +289,5 @@ fn a_row_of_a_study_is_not_compiled() {
     let rows = shortest(&|| drop(study.rows(0..study.count())));
     let each = |all: f64| 1e6 * all / (ROWS * TIMES) as f64;
     println!("a row {:.2} µs, to compile one {:.2} µs", each(rows), each(compiled));
-    assert!(rows < 2.0 * compiled, "a row takes {:.1} times as long as to compile a mechanism", rows / compiled);
+    assert!(rows < 2.5 * compiled, "a row takes {:.1} times as long as to compile a mechanism", rows / compiled);
 }

@@ -120,8 +120,8 @@ pub const PAGES_EACH: By<usize> = By(3, 1, 1);
 /// Of the sheets of `legible` every so many-th.
 pub const LEGIBLE: By<usize> = By(61, 7, 1);
 /// The most texts there that run together beside each other and above each other, that are struck through, that have no
-/// room, and that are not listed either.
-pub const MISREAD: By<[usize; 5]> = By([0, 0, 0, 60, 0], [0, 0, 0, 150, 0], [0, 0, 0, 1000, 0]);
+/// room, and that are not listed either. The steps of the excavator on 16:9 alone, where a sample has them, leave out some 190.
+pub const MISREAD: By<[usize; 5]> = By([0, 0, 0, 60, 0], [0, 0, 0, 400, 0], [0, 0, 0, 1000, 0]);
 
 /// Every so many-th kind of mechanism, where each takes long and what is looked at hangs little on the kind.
 pub const KINDS: By<usize> = By(3, 1, 1);
