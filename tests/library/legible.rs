@@ -102,7 +102,7 @@ fn texts_are_read_as_they_are() {
         .collect();
     let all = scenes.len() * SURFACES.len() * words.len();
     // A step that shares no divisor with the number of scenes: they come in turn, none more often than others.
-    let shared = |step: &usize| (2..=*step).any(|n| step % n == 0 && scenes.len() % n == 0);
+    let shared = |step: &usize| (2..=*step).any(|n| step.is_multiple_of(n) && scenes.len().is_multiple_of(n));
     let every = (LEGIBLE.now()..).find(|step| !shared(step)).expect("one of them");
     let counts = on_all_cores((all / every) as u64, |number, count: &mut Count| {
         let case = number as usize * every;
