@@ -291,6 +291,8 @@ messages! { "scene":
     teeth_of_belt(most);
     no_forces_of_belts;
     remove_belts_or_loads;
+    no_force_plan_of_wheels;
+    take_lever;
 
     // Masses and loads.
     mass_and_weight(link);

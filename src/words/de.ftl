@@ -956,6 +956,8 @@ scene-belt_without_teeth = ein Riemen hat keinen Eingriffswinkel
 scene-teeth_of_belt = geben Sie eine ganze Zahl von 1 bis {$most} an: Zähne von Kettenrädern, oder ganze Zahlen im Verhältnis der Radien
 scene-no_forces_of_belts = wie stark ein Riemen gespannt ist, ist nicht bekannt; deshalb werden Kräfte von Getrieben mit Riemen nicht berechnet
 scene-remove_belts_or_loads = entfernen Sie Massen, `gravity`, `forces` und `springs` aus der Szene, oder ihre Riemen
+scene-no_force_plan_of_wheels = der Kräfteplan hat keine Zahnkräfte: bei einem Mechanismus mit Rädern schlössen sich seine Polygone nicht
+scene-take_lever = lassen Sie das Feld "forces" weg: die Ergebnisse enthalten, was Zähne, Gelenke und Antriebe tragen, und "lever" findet das Drehmoment
 
 # Masses and loads.
 

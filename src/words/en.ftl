@@ -986,6 +986,8 @@ scene-belt_without_teeth = a belt has no pressure angle
 scene-teeth_of_belt = give a whole number from 1 to {$most}: teeth of a chain's wheels, or whole numbers in the ratio of the radii
 scene-no_forces_of_belts = how hard a belt is strained is not known, so forces are not computed of mechanisms with belts
 scene-remove_belts_or_loads = remove masses, `gravity`, `forces` and `springs` from the scene, or its belts
+scene-no_force_plan_of_wheels = the force plan has no tooth forces: of a mechanism with wheels its polygons would not close
+scene-take_lever = leave the panel "forces" out: results have what teeth, pins and drives carry, and "lever" finds the torque
 
 # Masses and loads.
 

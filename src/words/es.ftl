@@ -954,6 +954,8 @@ scene-belt_without_teeth = una correa no tiene ángulo de presión
 scene-teeth_of_belt = dé un número entero de 1 a {$most}: dientes de ruedas de cadena, o números enteros en la razón de los radios
 scene-no_forces_of_belts = no se sabe cuánto está tensada una correa; por eso no se calculan fuerzas de mecanismos con correas
 scene-remove_belts_or_loads = quite de la escena masas, `gravity`, `forces` y `springs`, o sus correas
+scene-no_force_plan_of_wheels = el plano de fuerzas no tiene fuerzas de dientes: en un mecanismo con ruedas sus polígonos no se cerrarían
+scene-take_lever = quite el panel "forces": los resultados tienen lo que llevan dientes, articulaciones y accionamientos, y "lever" halla el par
 
 # Masses and loads.
 

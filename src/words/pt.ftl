@@ -956,6 +956,8 @@ scene-belt_without_teeth = uma correia não tem ângulo de pressão
 scene-teeth_of_belt = dê um número inteiro de 1 a {$most}: dentes de rodas de corrente, ou números inteiros na razão dos raios
 scene-no_forces_of_belts = não se sabe quanto uma correia está tensionada; por isso não se calculam forças de mecanismos com correias
 scene-remove_belts_or_loads = tire da cena massas, `gravity`, `forces` e `springs`, ou suas correias
+scene-no_force_plan_of_wheels = o plano de forças não tem forças de dentes: num mecanismo com rodas seus polígonos não se fechariam
+scene-take_lever = retire o painel "forces": os resultados têm o que dentes, pinos e acionamentos levam, e "lever" encontra o torque
 
 # Masses and loads.
 

@@ -18,11 +18,11 @@ use support::stages::solved;
 /// Mechanisms of each random family.
 const COUNT: u64 = 500;
 
-fn solution(scene: &Value) -> Solution {
+pub(crate) fn solution(scene: &Value) -> Solution {
     solved(&scene.to_string()).unwrap_or_else(|error| panic!("{error}\n{scene}"))
 }
 
-fn number(solution: &Solution, name: &str) -> f64 {
+pub(crate) fn number(solution: &Solution, name: &str) -> f64 {
     match solution.quantity(name).unwrap_or_else(|error| panic!("{name}: {error}")) {
         Quantity::Number(number) => number,
         other => panic!("{name} is {other:?}"),

@@ -1,11 +1,11 @@
 //! Trains of wheels by hand: rates by pitch points against Willis' formula, images of pitch points, what steps and exercises say.
 
+use crate::gears::{number, solution};
 use kinegon::construction::{Action, RateEquation};
 use kinegon::exercise::Exercises;
 use kinegon::geometry::Vector;
-use kinegon::quantity::Quantity;
 use kinegon::scene::Kind;
-use kinegon::{Order, Sheet, Solution};
+use kinegon::{Order, Sheet};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use support::random::Random;
@@ -13,17 +13,6 @@ use support::stages::solved;
 
 /// Trains of each kind.
 const COUNT: u64 = 100;
-
-fn solution(scene: &Value) -> Solution {
-    solved(&scene.to_string()).unwrap_or_else(|error| panic!("{error}\n{scene}"))
-}
-
-fn number(solution: &Solution, name: &str) -> f64 {
-    match solution.quantity(name).unwrap_or_else(|error| panic!("{name}: {error}")) {
-        Quantity::Number(number) => number,
-        other => panic!("{name} is {other:?}"),
-    }
-}
 
 fn teeth(dice: &mut Random) -> i32 {
     17 + dice.below(44) as i32
