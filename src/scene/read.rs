@@ -12,6 +12,7 @@ use super::figure::{Figure, check_traced};
 use super::given::{GivenBy, PointMotion};
 use super::joint::{Gear, GearFile, Slider, SliderFile, gears, sliders};
 use super::link::{Link, LinkFile, links};
+use super::friction::FrictionFile;
 use super::loads::{Analysis, LoadFields, LoadFile, Loads, SpringFile, loads};
 use super::names::Names;
 use super::points::{Ground, Near, check_given_once, check_motions, check_points, ground, known, near};
@@ -57,6 +58,8 @@ pub(super) struct SceneFile {
     pub forces: Option<Vec<LoadFile>>,
     /// Springs between links.
     pub springs: Option<Vec<SpringFile>>,
+    /// Coulomb friction in joints, which counts where loads press on them.
+    pub friction: Option<Vec<FrictionFile>>,
     /// Whether inertia counts among the loads; left out: dynamic.
     pub analysis: Option<Analysis>,
     /// Approximate coordinates of some points, and angles of links as "angle(3)", to choose the assembly mode.
@@ -89,6 +92,7 @@ write_keys!(SceneFile {
     gravity,
     forces,
     springs,
+    friction,
     analysis,
     near,
     figure,
@@ -120,7 +124,7 @@ pub struct Scene {
     pub sliders: Vec<Slider>,
     /// The pairs of wheels that mesh.
     pub gears: Vec<Gear>,
-    /// Masses, forces and springs; none where the scene gives none of them.
+    /// Masses, forces, springs and friction; none where the scene gives none of the first three.
     pub loads: Option<Box<Loads>>,
     /// Approximate positions that choose the assembly mode; not in a drawn configuration.
     pub near: Near,
@@ -353,6 +357,7 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
         masses: of_links.masses,
         forces: file.forces,
         springs: file.springs,
+        friction: file.friction,
     };
     let loads = loads(given_by, &names, file.units, fields)?;
     if let Some(index) = gears.iter().position(|gear| loads.is_some() && gear.belt.is_some()) {
