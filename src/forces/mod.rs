@@ -265,9 +265,6 @@ pub(crate) fn forces(mechanism: &Mechanism, posed: &(impl Posed<Ball> + Places))
 /// What is to be said of friction at a pose: that it locks, or that it counts as nothing in joints at rest.
 pub(crate) fn warnings_of_friction(mechanism: &Mechanism, posed: &(impl Posed<Ball> + Places)) -> Option<Message> {
     let list = LoadList::new(mechanism).filter(|list| !list.friction.is_empty())?;
-    if equilibrium::carried(mechanism, posed, &list).is_none() {
-        return equilibrium::carried(mechanism, posed, &list.without_friction()).map(|_| says::friction_locks());
-    }
     let at_rest = friction::at_rest(mechanism, posed, &list);
     let name = |joint: JointId| {
         let joint = mechanism.joint(joint);
@@ -278,7 +275,16 @@ pub(crate) fn warnings_of_friction(mechanism: &Mechanism, posed: &(impl Posed<Ba
     };
     let names: IndexSet<String> = at_rest.into_iter().map(name).collect();
     let names: Vec<String> = names.into_iter().collect();
-    (!names.is_empty()).then(|| says::friction_at_rest(names.join(", ")))
+    let is_found = equilibrium::carried(mechanism, posed, &list).is_some();
+    match (is_found, names.is_empty()) {
+        (true, true) => None,
+        (true, false) => Some(says::friction_at_rest(names.join(", "))),
+        (false, false) => Some(says::friction_leaves_open(names.join(", "))),
+        (false, true) => {
+            let smooth = equilibrium::carried(mechanism, posed, &list.without_friction());
+            smooth.map(|_| says::friction_locks())
+        }
+    }
 }
 
 /// A pose and its motion, whose numbers count as exact.

@@ -1259,6 +1259,7 @@ quantity-no_scale_in_table = eine Tabelle hat keinen Maßstab
 
 forces-friction_locks = die Reibung sperrt das Getriebe in dieser Lage: kein Antrieb bewegt es in diese Richtung, daher gibt es keine Kräfte
 forces-friction_at_rest = in Ruhe kann die Reibung alles bis zu ihrer Grenze sein: in {$joints} zählt sie nicht, und die angegebenen Fehler lassen sie ganz zu
+forces-friction_leaves_open = in Ruhe kann die Reibung alles bis zu ihrer Grenze sein, und die in {$joints} lässt offen, was Gelenke tragen: es gibt keine Kräfte
 
 
 ## Errors and warnings: cycle

@@ -88,8 +88,12 @@ impl Mechanism {
         for (index, (&(a, b), kind)) in pairs.iter().zip(kinds.chars()).enumerate() {
             let at = place();
             let along = (kind != 'R').then(|| place().map(|x| x / 100 + 1));
-            // One half hangs on the ground, the first on the crank.
-            let known = if index == 0 { 1 } else { at[0].rem_euclid(2) as usize };
+            // One half hangs on the ground, the first on the crank: with friction all others, as what hangs on the crank alone is at rest on it.
+            let known = match (index, has_friction) {
+                (0, _) => 1,
+                (_, true) => 0,
+                (_, false) => at[0].rem_euclid(2) as usize,
+            };
             let on = if b == KNOWN { known } else { b + 2 };
             joints.push(Joint { name: format!("J{index}"), bodies: [a + 2, on], at, along, friction: None });
         }
@@ -210,7 +214,8 @@ impl Mechanism {
             }
         };
         let accelerations = self.rates(left)?;
-        let resisting: Vec<[Big; 3]> = self.joints.iter().map(|joint| resisting(joint, &velocities, at)).collect();
+        let all = self.joints.iter().map(|joint| resisting(joint, &velocities, at));
+        let resisting = all.collect::<Option<Vec<[Big; 3]>>>()?;
         let mut friction = vec![[big(0), big(0), big(0)]; self.joints.len()];
         let has_friction = self.joints.iter().any(|joint| joint.friction.is_some());
         for _ in 0..MOST {
@@ -306,23 +311,33 @@ impl Mechanism {
     }
 }
 
-/// By the size of what a joint carries: the friction on its first body, and its couple.
-fn resisting(joint: &Joint, velocities: &[[Big; 3]], at: impl Fn(&[Big; 3], [Big; 2]) -> [Big; 2]) -> [Big; 3] {
+/// Speeds below this one are what is left of none.
+const NONE: f64 = 1e-40;
+
+/// By the size of what a joint carries: the friction on its first body, and its couple. `None` of a joint at rest, whose friction nobody knows.
+fn resisting(
+    joint: &Joint,
+    velocities: &[[Big; 3]],
+    at: impl Fn(&[Big; 3], [Big; 2]) -> [Big; 2],
+) -> Option<[Big; 3]> {
     let none = [big(0), big(0), big(0)];
-    let Some([coefficient, radius]) = joint.friction.map(|friction| friction.map(milli)) else { return none };
-    let against = |speed: Big| if speed > big(0) { big(-1) } else { big(1) };
+    let Some([coefficient, radius]) = joint.friction.map(|friction| friction.map(milli)) else { return Some(none) };
+    let against = |speed: Big| match speed.to_f64().value() {
+        speed if speed.abs() < NONE => None,
+        speed => Some(if speed > 0.0 { big(-1) } else { big(1) }),
+    };
     let [own, other] = joint.bodies.map(|body| &velocities[body]);
     match joint.along.map(|along| along.map(milli)) {
         None => {
             let sine = coefficient.clone() / (big(1) + coefficient.clone() * coefficient).sqrt();
-            [big(0), big(0), against(own[2].clone() - other[2].clone()) * radius * sine]
+            Some([big(0), big(0), against(own[2].clone() - other[2].clone())? * radius * sine])
         }
         Some([u, v]) => {
             let [[a, b], [c, d]] = [own, other].map(|rates| at(rates, joint.at.map(milli)));
-            let sense = against((a - c) * u.clone() + (b - d) * v.clone());
+            let sense = against((a - c) * u.clone() + (b - d) * v.clone())?;
             let length = (u.clone() * u.clone() + v.clone() * v.clone()).sqrt();
             let by = sense * coefficient / length;
-            [u * by.clone(), v * by, big(0)]
+            Some([u * by.clone(), v * by, big(0)])
         }
     }
 }
@@ -348,7 +363,7 @@ impl Seen {
             .abs();
         assert!(off <= error + OWN * size, "{what} is {value} ± {error:e}, off by {off:e}");
         self.compared += 1;
-        self.worst = self.worst.max(if error > 0.0 { off / error } else { 0.0 });
+        self.worst = self.worst.max(if error > OWN * size { off / error } else { 0.0 });
     }
 }
 
@@ -359,12 +374,11 @@ fn stated_errors_hold_those_against_256_bits() {
     assert!(told * 100 < compared, "{told} of {compared} without a bound");
 }
 
-/// Most of what is without a result is locked, or where hands would go on without end.
 #[test]
 fn stated_errors_with_friction_hold_those_against_256_bits() {
     let (told, compared, solved_ones, count) = compared(7_261, FREE_BODIES.now() / 4, true);
-    assert!(solved_ones * 10 > count * 5, "only {solved_ones}");
-    assert!(told * 20 < compared, "{told} of {compared} without a bound");
+    assert!(solved_ones * 10 > count * 7, "only {solved_ones}");
+    assert!(told * 50 < compared, "{told} of {compared} without a bound");
 }
 
 /// How many numbers of random mechanisms have no bound, how many were compared, of how many mechanisms among how many.
@@ -376,9 +390,8 @@ fn compared(seed: u64, count: u64, has_friction: bool) -> (usize, usize, u64, u6
         let scene = mechanism.scene();
         let solution = match solved(&scene.to_string()) {
             Ok(solution) => solution,
-            Err(error) => {
+            Err(_) => {
                 no_scene += 1;
-                eprintln!("{number}: {error}");
                 continue;
             }
         };
@@ -422,7 +435,7 @@ fn compared(seed: u64, count: u64, has_friction: bool) -> (usize, usize, u64, u6
     let Seen { compared, told, worst } = seen;
     eprintln!(
         "{solved_ones} of {count} mechanisms: {compared} numbers, {told} told, worst error {worst:.3} of what is stated; \
-         {no_scene} no mechanisms, {no_truth} without forces"
+         {no_scene} without definite motion, {no_truth} without forces"
     );
     (told, compared, solved_ones, count)
 }
