@@ -956,6 +956,32 @@ scene-no_forces_of_belts = no se sabe cuánto está tensada una correa; por eso 
 scene-remove_belts_or_loads = quite de la escena masas, `gravity`, `forces` y `springs`, o sus correas
 scene-no_force_plan_of_wheels = el plano de fuerzas no tiene fuerzas de dientes: en un mecanismo con ruedas sus polígonos no se cerrarían
 scene-take_lever = quite el panel "forces": los resultados tienen lo que llevan dientes, articulaciones y accionamientos, y "lever" halla el par
+scene-two_touch = un contacto es entre dos cuerpos, no {$count}
+scene-touches_itself = {$body} no puede tocarse a sí mismo
+scene-through_without_face = `through` es un lugar de un perfil plano, pero el segundo es redondo
+scene-give_face = dé la dirección del perfil plano como `along`, u omita `through`
+scene-one_center_of_face = un perfil redondo sobre uno plano tiene un centro de curvatura, no {$count}
+scene-face_has_no_center = nombre solo el centro del primer perfil; si ambos son redondos, omita `along`
+scene-two_centers = dos perfiles redondos tienen dos centros de curvatura, no {$count}
+scene-center_or_face = nombre un punto de cada cuerpo; de un perfil plano dé la dirección como `along`
+scene-center_on_body = un centro de curvatura es un punto del cuerpo al que pertenece el perfil, en el orden de `links`
+scene-center_of_both = un centro de curvatura es un punto de ambos, {$first} y {$second}: estarían unidos allí
+scene-face_without_link = un pasador sobre un perfil plano no necesita eslabón equivalente, así que no hay ninguno que nombrar
+scene-flat_roller = un rodillo es redondo, pero `along` dice que el segundo perfil es plano
+scene-give_radii = dé los radios de curvatura en el orden de `centers`, como "radii": [40, 10]
+scene-radii_as_centers = hacen falta tantos radios como centros: {$wanted}, no {$count}
+scene-hollow_on_face = un perfil cóncavo no toca uno plano
+scene-turn_face = el radio es positivo; para el otro lado de la cara gire `along` 180
+scene-two_hollows = dos perfiles cóncavos no pueden tocarse
+scene-hollow_and_round = solo el radio de un perfil cóncavo es negativo, y el otro está dentro de él
+scene-give_roller = el segundo radio es el del rodillo
+scene-centers_in_one_place = con estos radios ambos centros están en un mismo lugar
+scene-hollow_smaller = un perfil redondo de radio {$round} no cabe en uno cóncavo de radio {$hollow}
+scene-hollow_larger = el perfil cóncavo tiene el radio mayor, con un menos delante
+scene-radii_not_as_drawn = {$first} y {$second} están dibujados a {$distance}, pero los radios dan {$radii}
+scene-radii_as_drawn = la suma de los radios es la distancia de los centros; un dibujo no necesita radios
+scene-equivalent_taken = el eslabón equivalente se llamaría {$link}, pero hay un eslabón con ese nombre
+scene-name_equivalent = dele otro `name`
 
 # Masses and loads.
 
@@ -1012,6 +1038,8 @@ scene-drawn_has_no_path = una configuración dibujada no puede moverse, así que
 scene-drawn_has_no_centrodes = una configuración dibujada no puede moverse, así que el eslabón {$link} no tiene polodias
 scene-drawn_has_no_ghosts = una configuración dibujada no puede moverse, así que no hay otras posiciones que dibujar
 scene-lengths_and_drive = una escena con `lengths` o `shape` y un accionamiento con su `angle` o `position`
+scene-at_contact_alone = los perfiles que se tocan solo se conocen en su contacto, así que no hay otra posición
+scene-say_circular = escriba "circular": true en el contacto, si ambos perfiles son círculos alrededor de estos centros, o un círculo y una recta
 scene-no_drive_no_path = no hay accionamiento que mueva el mecanismo, así que el punto {$point} no tiene trayectoria
 scene-no_drive_no_centrodes = no hay accionamiento que mueva el mecanismo, así que el eslabón {$link} no tiene polodias
 scene-no_drive_no_ghosts = no hay accionamiento que mueva el mecanismo, así que no hay otras posiciones que dibujar
@@ -1055,6 +1083,7 @@ scene-expects_motion = un movimiento como {"{"} "velocity": [x, y], "acceleratio
 scene-expects_link_motion = un movimiento como {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = una corredera como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_gear = un par de engranajes como {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
+scene-expects_contact = un contacto como {"{"} "links": ["1", "3"], "centers": ["K", "C"], "radii": [40, 10] {"}"}
 scene-expects_teeth = un número de dientes, o "rack"
 scene-expects_scene = una escena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = una figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
@@ -1084,6 +1113,7 @@ mechanism-make_revolute = convierta uno de los pares prismáticos en rotatorio
 mechanism-train_without_ratio = los dientes no dan los ángulos de los eslabones {$links}: las ruedas giran igual haga lo que haga el brazo, así que nada lo mueve
 mechanism-other_teeth = dé otros números de dientes, de modo que la relación básica del tren no sea 1, o accione el brazo
 mechanism-two_radii = la rueda {$link} de {$teeth} dientes tendría dos radios primitivos, {$first} y {$second}: revise dientes y distancias entre centros
+mechanism-holds_here_alone = el contacto de {$first} y {$second} solo se conoce en esta posición: su mecanismo equivalente da aquí velocidades, aceleraciones y fuerzas, y nada en otra parte
 
 # Too few or too many constraints.
 
@@ -1242,6 +1272,8 @@ quantity-no_scale_in_table = una tabla no tiene escala
 
 cycle-drawn = una configuración dibujada no puede moverse: no tiene longitudes
 cycle-lengths_and_drive = una escena con `lengths` o `shape` y un accionamiento con su `angle` o `position`
+cycle-at_contact = los perfiles que se tocan solo se conocen en su contacto, así que el mecanismo no puede moverse
+cycle-say_circular = "circular": true en el contacto, si ambos perfiles son círculos alrededor de estos centros, o un círculo y una recta
 cycle-other_kind = el mecanismo {$number} no es del tipo del mecanismo 0
 cycle-same_kind = los mismos eslabones, pares y accionamientos en el mismo orden; solo pueden diferir longitudes, lugares y accionamientos
 cycle-no_drive = no hay ningún accionamiento que mover
