@@ -19,7 +19,7 @@ use std::fs;
 use support::files as repository;
 
 /// Kinds of `kinegon new` in its order, their scenes, and what each teaches.
-const KINDS: [(&str, &str, &str); 24] = [
+const KINDS: [(&str, &str, &str); 26] = [
     (
         "four-bar",
         "templates/four-bar.json",
@@ -69,6 +69,16 @@ const KINDS: [(&str, &str, &str); 24] = [
         "reverted-train",
         "templates/reverted-train.json",
         "A planet with two rims between two suns, of which one is fixed.",
+    ),
+    (
+        "eccentric-cam",
+        "templates/eccentric-cam.json",
+        "A disc and a roller touch: the link between their centres moves as they do, in every position.",
+    ),
+    (
+        "flat-follower",
+        "templates/flat-follower.json",
+        "A disc on a straight face: its centre slides along a line beside the face, with a Coriolis acceleration.",
     ),
     (
         "hydraulic-boom",

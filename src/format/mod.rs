@@ -9,6 +9,7 @@ pub mod digits;
 mod feedback;
 #[cfg(feature = "png")]
 mod film;
+mod contacts;
 mod forces;
 mod json;
 #[doc(hidden)] // for tests
@@ -35,6 +36,7 @@ pub use self::feedback::{FEEDBACK_MARK, feedback_html, html_text};
 pub use self::film::FilmFormat;
 #[cfg(all(feature = "cli", feature = "png"))]
 pub(crate) use self::film::MOST_AREA as MOST_FILM_AREA;
+pub use self::contacts::ContactResult;
 pub use self::forces::{DriveResult, ForceResult, ForcesResult, FrameResult, GuideForceResult, InertiaResult};
 pub use self::json::{json, json_line};
 #[cfg(feature = "pdf")]

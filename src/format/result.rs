@@ -1,3 +1,4 @@
+use super::contacts::ContactResult;
 use super::forces::ForcesResult;
 use crate::accuracy::says::unbounded;
 use crate::accuracy::{Bounds, bounds};
@@ -47,6 +48,9 @@ pub struct ResultFile {
     /// What joints carry and drives need; only of a scene with loads.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub forces: Option<ForcesResult>,
+    /// By the bodies that touch, as `1/3`; of further contacts of the same two, `1/3#2`.
+    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
+    pub contacts: IndexMap<String, ContactResult>,
     /// By name, as in `P(1,3)`: the instant centres that the scene's `want` asks for; null where the links rest on one another, or no place can be found.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub centers: IndexMap<String, Option<CenterResult>>,
@@ -395,6 +399,7 @@ impl Solution {
             quantities: IndexMap::new(),
             quantity_errors: IndexMap::new(),
             forces: self.forces().map(|forces| ForcesResult::new(self, &forces, bounds)),
+            contacts: ContactResult::all(self, bounds),
             centers: IndexMap::new(),
             pencil: None,
             warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).collect(),

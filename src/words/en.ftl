@@ -186,6 +186,10 @@ paths_in_time = Ticks on the path of {$points}: every {$step} of drive {$drive},
 path_of = Path of {$point} in {$unit}
 # At another assembly mode.
 mode = mode {$number}
+contact_link = Link {$link} is equivalent to the contact of {$first} and {$second}: it joins their centres of curvature {$from} and {$to}.
+contact_face = A pin in {$center}, the centre of curvature of {$first}, that slides along the flat face of {$second} is equivalent to their contact.
+contact_here = That holds in this position alone.
+equivalent = {$link} (equivalent)
 modes_left_out = Of the other assembly modes only the first {$count} are drawn.
 # What is drawn of a path on other branches of the motion.
 centrodes = Centrodes of link {$links}, near the mechanism: full in the frame, dashed in the link.

@@ -8,7 +8,7 @@ mod contact;
 mod gear;
 mod slider;
 
-pub use contact::{Contact, Touch};
+pub use contact::{Contact, Touch, Touching};
 pub(super) use contact::{held_here_alone, refresh as refresh_contacts};
 pub(super) use gear::unlike_wheels;
 pub(super) use slider::guide_line;
