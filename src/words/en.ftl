@@ -800,7 +800,7 @@ scene-negative_size = size is {$size}; a size is not negative: turn the angle by
 scene-no_page = there is no page "{$name}"
 scene-no_unit = there is no unit of length "{$name}"
 scene-did_you_mean = did you mean `{$name}`?
-scene-joints_out_of_scope = links are joined by pins, straight sliders, gear pairs, racks and belts: cams are out of scope
+scene-joints_out_of_scope = links are joined by pins, straight sliders (`sliders`), wheels, racks and belts (`gears`), and profiles that touch, as those of cams (`contacts`)
 scene-forces_out_of_scope = motions follow from the drives: forces, masses, springs and friction are out of scope
 
 # What a form asks for.
@@ -1015,7 +1015,7 @@ scene-centers_in_one_place = with these radii both centres are in one place
 scene-hollow_smaller = a round profile of radius {$round} does not lie in a hollow one of radius {$hollow}
 scene-hollow_larger = the hollow profile has the larger radius, and stands with a minus
 scene-radii_not_as_drawn = {$first} and {$second} are drawn {$distance} apart, but the radii make {$radii}
-scene-radii_as_drawn = the sum of the radii is the distance of the centres; one drawing does without radii
+scene-radii_as_drawn = the sum of the radii is the distance of the centres; a drawing does without radii
 scene-equivalent_taken = the equivalent link would be called {$link}, but there is a link of that name
 scene-name_equivalent = give it another `name`
 

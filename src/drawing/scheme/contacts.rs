@@ -5,18 +5,20 @@ use super::on_paper::SchemeOnPaper;
 use super::sliders::{BLOCK, block_corners};
 use crate::construction::Solution;
 use crate::drawing::canvas::Canvas;
+use crate::drawing::clip::clipped_segment;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
 use crate::drawing::view::on_sheet;
-use crate::geometry::{self, span};
+use crate::geometry::{self, span, turn_of_degrees};
 use crate::mechanism::{BodyId, Contact, GROUND, Mechanism, PointId, SliderId, Touch, Touching};
 use crate::quantity::Snapshot;
 use kurbo::{Point, Vec2};
 use std::f64::consts::{PI, TAU};
 
-/// How far to either side of the contact a profile is drawn of which only this place is known: in radians, and in mm.
+/// How far to either side of the contact a profile is drawn of which only this place is known: in radians, and in parts of the mechanism's size. As
+/// far again its circle of curvature goes on as a helping line.
 const ARC: f64 = 0.6;
-const LONG_ARC: f64 = 16.0;
+const LONG_ARC: f64 = 0.2;
 
 /// How far a flat face goes on beyond what touches it, in parts of the radius, and in mm.
 const BEYOND: f64 = 0.5;
@@ -40,43 +42,48 @@ struct Profile {
     center: PointId,
     /// Negative of a hollow one.
     radius: f64,
-    /// Whether all of it is a circle: a roller, or a disc.
-    is_whole: bool,
+    /// How far to either side of the contact it is drawn, in radians; `None` for all of a circle, as of a roller or a disc.
+    half: Option<f64>,
 }
 
 /// The round profiles of a contact whose radii are known.
 fn profiles(contact: &Contact, size: f64) -> Vec<Profile> {
-    let whole = |radius: f64| contact.is_circular && radius > 0.0 && radius <= size;
+    let half = |radius: f64, is_roller: bool| {
+        let is_whole = is_roller || (contact.is_circular && radius > 0.0 && radius <= size);
+        (!is_whole).then(|| ARC.min(LONG_ARC * size / radius.abs()))
+    };
     let [first, second] = contact.bodies;
     match contact.touch {
         Touch::Arcs { centers, radii: Some(radii), .. } => {
             let roller = contact.has_roller;
             let one = |body, index: usize, is_roller: bool| {
                 let radius = radii[index];
-                Profile { body, center: centers[index], radius, is_whole: is_roller || whole(radius) }
+                Profile { body, center: centers[index], radius, half: half(radius, is_roller) }
             };
             vec![one(first, 0, false), one(second, 1, roller)]
         }
         Touch::Face { center, radius: Some(radius), .. } => {
-            vec![Profile { body: first, center, radius, is_whole: whole(radius) }]
+            vec![Profile { body: first, center, radius, half: half(radius, false) }]
         }
         Touch::Arcs { .. } | Touch::Face { .. } => Vec::new(),
     }
 }
 
-/// What the extent of a scheme holds of contacts: whole circles, and where profiles touch.
+/// What the extent of a scheme holds of contacts: circles, arcs, and where profiles touch.
 pub(super) fn places(solution: &Solution) -> impl Iterator<Item = geometry::Point> {
     let (mechanism, pose) = (&solution.mechanism, &solution.pose);
     let size = span(pose.points.iter().copied());
     mechanism.contacts.iter().flat_map(move |contact| {
         let now = Snapshot { pose, motion: &solution.motion };
-        let whole = profiles(contact, size).into_iter().filter(|profile| profile.is_whole);
-        let corners = whole.flat_map(|profile| {
-            let (center, arm) = (pose.point(profile.center), geometry::Vector::new(profile.radius, profile.radius));
-            [center - arm, center + arm]
+        let Some(touch) = contact.point(&now).map(|at| geometry::Point::new(at.x, at.y)) else { return Vec::new() };
+        let ends = profiles(contact, size).into_iter().flat_map(|profile| {
+            let center = pose.point(profile.center);
+            match profile.half {
+                None => [-1.0, 1.0].map(|sign| center + geometry::Vector::repeat(sign * profile.radius)),
+                Some(half) => [-2.0, 2.0].map(|times| center + turn_of_degrees((times * half).to_degrees()) * (touch - center)),
+            }
         });
-        let touch = contact.point(&now).map(|at| geometry::Point::new(at.x, at.y));
-        corners.chain(touch).collect::<Vec<_>>()
+        ends.chain([touch]).collect::<Vec<_>>()
     })
 }
 
@@ -84,10 +91,13 @@ impl SchemeOnPaper<'_> {
     /// The light areas of discs and rollers.
     pub(super) fn discs(&self, canvas: &mut Canvas<'_>) {
         for contact in &self.mechanism.contacts {
-            let discs = self.profiles(contact).into_iter().filter(|profile| profile.is_whole);
+            let discs = self.profiles(contact).into_iter().filter(|profile| profile.half.is_none());
             for Profile { body, center, radius, .. } in discs.filter(|profile| profile.body != GROUND) {
                 let (center, radius) = (self.at(center), self.length(radius));
-                let corner = |k: usize| center + Vec2::from_angle(TAU * k as f64 / CHORDS as f64) * radius;
+                let corner = |k: usize| {
+                    let angle = TAU * k as f64 / CHORDS as f64;
+                    center + Vec2::new(libm::cos(angle), libm::sin(angle)) * radius
+                };
                 let area = Shape::Polygon((0..CHORDS).map(corner).collect());
                 canvas.draw(Pen::LinkFill, area).number = self.context.number(body);
             }
@@ -104,7 +114,7 @@ impl SchemeOnPaper<'_> {
                 let at = (self.at(profile.center), self.length(profile.radius));
                 // A disc that touches twice.
                 let is_drawn =
-                    profile.is_whole && drawn.iter().any(|own| (own.0 - at.0).hypot() + (own.1 - at.1).abs() < 0.05);
+                    profile.half.is_none() && drawn.iter().any(|own| (own.0 - at.0).hypot() + (own.1 - at.1).abs() < 0.05);
                 if let (Some(touch), false) = (touch, is_drawn) {
                     self.profile(canvas, &profile, touch);
                 }
@@ -144,15 +154,14 @@ impl SchemeOnPaper<'_> {
         }
         let pen = if profile.body == GROUND { Pen::Ground } else { Pen::Link };
         let number = self.context.number(profile.body);
-        if profile.is_whole {
+        let Some(half) = profile.half else {
             // Two half circles: unlike a full circle they leave the inside free for a label.
             for start in [0.0, PI] {
                 canvas.draw(pen, Shape::Arc { center, radius, start, sweep: PI }).number = number;
             }
             return;
-        }
+        };
         let middle = (touch - center).atan2();
-        let half = ARC.min(LONG_ARC / radius);
         canvas.draw(pen, Shape::Arc { center, radius, start: middle - half, sweep: 2.0 * half }).number = number;
         for side in [half, -half] {
             let rest = Shape::Arc { center, radius, start: middle + side, sweep: side };
@@ -191,7 +200,10 @@ impl SchemeOnPaper<'_> {
     fn pin_on_face(&self, canvas: &mut Canvas<'_>, slider: SliderId) {
         let at = self.at(self.mechanism.slider(slider).at);
         let along = on_sheet(self.pose.guide(slider));
-        canvas.draw(Pen::Equivalent, Shape::Line(at - along * GUIDE, at + along * GUIDE));
+        let ends = (at - along * GUIDE, at + along * GUIDE);
+        if let Some((a, b)) = clipped_segment(canvas.room(), ends.0, ends.1) {
+            canvas.draw(Pen::Equivalent, Shape::Line(a, b));
+        }
         canvas.draw(Pen::Equivalent, Shape::Polygon(block_corners(at, along, BLOCK)));
     }
 
@@ -205,8 +217,10 @@ impl SchemeOnPaper<'_> {
         let along = |point: &Point| (*point - first).dot(across);
         let places = || ends.iter().chain(&touch).map(along);
         let (low, high) = (places().fold(0.0, f64::min), places().fold(0.0, f64::max));
-        let line = Shape::Line(first + across * (low - NORMAL), first + across * (high + NORMAL));
-        canvas.draw(Pen::Construction, line);
+        let (from, to) = (first + across * (low - NORMAL), first + across * (high + NORMAL));
+        if let Some((a, b)) = clipped_segment(canvas.room(), from, to) {
+            canvas.draw(Pen::Construction, Shape::Line(a, b));
+        }
         if let Some(center) = touch {
             canvas.draw(Pen::ImagePoint, Shape::Circle { center, radius: TOUCH * self.dims().dot });
         }

@@ -285,7 +285,7 @@ fn check_drawn(coordinates: &Coordinates, centers: &[String; 2], radii: [f64; 2]
     let distance = (place(&centers[1])? - place(&centers[0])?).norm();
     let wanted = (radii[0] + radii[1]).abs();
     let is_far = (distance - wanted).abs() > DRAWN * distance.max(wanted);
-    let short = |x: f64| format!("{x:.5}");
+    let short = |x: f64| number(libm::round(x * 1e4) / 1e4);
     let message = says::radii_not_as_drawn(&centers[0], &centers[1], short(distance), short(wanted));
     is_far.then(|| Wrong::value(&["radii"], message).hint(says::radii_as_drawn()))
 }
