@@ -147,7 +147,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 32] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 33] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -279,6 +279,13 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 32] = [
         "draw scene.json",
         "With the panels scheme and lever: the velocity plan turned by 90°, each force at the image of its point.",
         Kind::Figure(|figure| figure.panels = vec![Sheet::Scheme, Sheet::Lever]),
+    ),
+    (
+        "profiles",
+        "tests/cams/profiles.json",
+        "draw scene.json",
+        "Two profiles of which the contact alone is known, as drawn: arcs about their centres of curvature, and the link that is equivalent to them.",
+        Kind::Figure(|_| ()),
     ),
     (
         "step",

@@ -2,6 +2,8 @@
 
 use crate::accuracy::Bounds;
 use crate::construction::Solution;
+use crate::forces::Forces;
+use crate::geometry::{Ball, Number, Pair};
 use crate::mechanism::{Contact, Touch};
 use indexmap::IndexMap;
 use schemars::JsonSchema;
@@ -38,11 +40,22 @@ pub struct ContactResult {
     /// Bound on the error of `roller_omega`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roller_omega_error: Option<f64>,
+    /// The force with which the profiles press on each other along the normal, in the scene's unit of force; negative where they would have to pull. Only
+    /// of a scene with loads.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force: Option<f64>,
+    /// Bound on the error of `force`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force_error: Option<f64>,
 }
 
 impl ContactResult {
     /// The contacts of a solution by the links that touch, as `1/3`; of further ones between the same two, `1/3#2`.
-    pub(super) fn all(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, ContactResult> {
+    pub(super) fn all(
+        solution: &Solution,
+        forces: Option<&Forces>,
+        bounds: &Bounds<'_>,
+    ) -> IndexMap<String, ContactResult> {
         let mechanism = &solution.mechanism;
         let mut all: IndexMap<String, ContactResult> = IndexMap::new();
         for contact in &mechanism.contacts {
@@ -50,14 +63,20 @@ impl ContactResult {
             let name = format!("{first}/{second}");
             let count = all.keys().filter(|own| own.split('#').next() == Some(&name)).count();
             let name = if count == 0 { name } else { format!("{name}#{}", count + 1) };
-            all.insert(name, ContactResult::of(solution, contact, bounds));
+            all.insert(name, ContactResult::of(solution, contact, forces, bounds));
         }
         all
     }
 
-    fn of(solution: &Solution, contact: &Contact, bounds: &Bounds<'_>) -> ContactResult {
+    /// Whether the profiles would have to pull at each other, beyond doubt.
+    pub(super) fn pulls(&self) -> bool {
+        self.force.zip(self.force_error).is_some_and(|(force, error)| force < -error)
+    }
+
+    fn of(solution: &Solution, contact: &Contact, forces: Option<&Forces>, bounds: &Bounds<'_>) -> ContactResult {
         let mechanism = &solution.mechanism;
         let known = bounds.contact(contact);
+        let force = forces.and_then(|forces| pressing(solution, contact, forces, bounds));
         ContactResult {
             equivalent: match contact.touch {
                 Touch::Arcs { link, .. } => mechanism.body(link).name.clone(),
@@ -72,6 +91,30 @@ impl ContactResult {
             sliding_error: known.sliding.map(|(_, error)| error),
             roller_omega: known.roller.map(|(omega, _)| omega),
             roller_omega_error: known.roller.map(|(_, error)| error),
+            force: force.map(|(force, _)| force),
+            force_error: force.map(|(_, error)| error),
+        }
+    }
+}
+
+/// The force with which profiles press on each other, and the bound of its error: that of the equivalent link, which has no other than along
+/// itself, or of the pin on a flat profile.
+fn pressing(solution: &Solution, contact: &Contact, forces: &Forces, bounds: &Bounds<'_>) -> Option<(f64, f64)> {
+    let Solution { mechanism, pose, .. } = solution;
+    match contact.touch {
+        Touch::Arcs { link, centers: [from, to], radii } => {
+            // What the link receives at the second centre, from where it pushes the first profile back.
+            let force = forces.at_pin(mechanism, to, link)?.rounded();
+            let backwards = -pose.arm(from, to).dot(&force);
+            let inside = radii.is_some_and(|[first, second]| first + second < 0.0);
+            let sense = if (backwards < 0.0) == inside { 1.0 } else { -1.0 };
+            let size = |force: Pair<Ball>| force.dot(force).sqrt() * Ball::from(sense);
+            let value = sense * force.norm();
+            Some((value, bounds.of_force(value, |f, _| Some(size(f.at_pin(mechanism, to, link)?)))))
+        }
+        Touch::Face { slider, .. } => {
+            let value = -forces.normal(mechanism, slider, Pair::from(pose.guide(slider))).high;
+            Some((value, bounds.of_force(value, |f, guide| Some(-f.normal(mechanism, slider, guide(slider))))))
         }
     }
 }

@@ -1,6 +1,6 @@
 use super::contacts::ContactResult;
 use super::forces::ForcesResult;
-use crate::accuracy::says::unbounded;
+use crate::accuracy::says::{pulls, unbounded};
 use crate::accuracy::{Bounds, bounds};
 use crate::centers::Center;
 use crate::construction::{Solution, coincident_name};
@@ -388,6 +388,11 @@ impl Solution {
                 modes: pose.assemblies[index].map(|a| a.modes),
             }
         });
+        let forces = self.forces();
+        let contacts = ContactResult::all(self, forces.as_ref(), bounds);
+        let pulling = contacts.iter().filter(|(_, contact)| contact.pulls())
+            .map(|(name, _)| pulls(name).to_string());
+        let pulling: Vec<String> = pulling.collect();
         ResultFile {
             kinegon: 1,
             units: ResultUnits::of(scene.units),
@@ -398,11 +403,15 @@ impl Solution {
             groups: groups.collect(),
             quantities: IndexMap::new(),
             quantity_errors: IndexMap::new(),
-            forces: self.forces().map(|forces| ForcesResult::new(self, &forces, bounds)),
-            contacts: ContactResult::all(self, bounds),
+            forces: forces.map(|forces| ForcesResult::new(self, &forces, bounds)),
+            contacts,
             centers: IndexMap::new(),
             pencil: None,
-            warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).collect(),
+            warnings: self
+                .warnings()
+                .chain(bounds.warnings().iter().map(ToString::to_string))
+                .chain(pulling)
+                .collect(),
             notes: told_turning_back(self, &Wording::default()),
         }
     }

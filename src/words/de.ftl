@@ -1230,6 +1230,7 @@ motion-at_infinity = im Unendlichen (Führungen in {$first} und {$second})
 ## Errors and warnings: accuracy
 
 accuracy-unproved = Glieder {$links}: über ihre Stellung oder Bewegung ist nichts bewiesen, daher haben ihre Zahlen keine Fehlerangabe
+accuracy-pulls = die Profile der Berührung {$contact} müssten hier aneinander ziehen: sie trennen sich, wenn nichts sie zusammenhält
 accuracy-unbounded = {$names}: für den Fehler lässt sich keine Schranke angeben, weil das, woraus sie abgelesen werden, null sein kann oder Geraden parallel sein können
 accuracy-at_limit = Grenzlage bei {$place}: Glieder {$links} kommen nicht weiter; ihre Geschwindigkeiten und Beschleunigungen wachsen unbegrenzt, daher haben ihre Zahlen keine Fehlerangabe
 accuracy-at_change = Verzweigungslage bei {$place}: Glieder {$links} könnten auch in anderer Einbaulage weiterlaufen, daher sind ihre Geschwindigkeiten nicht bestimmt und ihre Zahlen haben keine Fehlerangabe

@@ -1263,6 +1263,7 @@ motion-at_infinity = at infinity (guides at {$first} and {$second})
 ## Errors and warnings: accuracy
 
 accuracy-unproved = links {$links}: nothing is proved of their position or motion, so their numbers have no stated error
+accuracy-pulls = the profiles of contact {$contact} would have to pull at each other here: they part, unless something holds them together
 accuracy-unbounded = {$names}: no bound of the error can be given, as what they are read from may be zero, or lines parallel
 accuracy-at_limit = limit position at {$place}: links {$links} can go no further, their rates grow without bound, so their numbers have no stated error
 accuracy-at_change = change point at {$place}: links {$links} could go on in another mode too, so their rates are not determined and their numbers have no stated error

@@ -1228,6 +1228,7 @@ motion-at_infinity = en el infinito (guías en {$first} y {$second})
 ## Errors and warnings: accuracy
 
 accuracy-unproved = eslabones {$links}: de su posición o de su movimiento no se demuestra nada, así que sus números no llevan error
+accuracy-pulls = los perfiles del contacto {$contact} tendrían que tirar uno del otro aquí: se separan, si nada los mantiene unidos
 accuracy-unbounded = {$names}: no se puede dar ninguna cota del error, pues aquello de lo que se leen puede ser cero, o unas rectas paralelas
 accuracy-at_limit = posición límite en {$place}: los eslabones {$links} no pueden ir más allá; sus velocidades y aceleraciones crecen sin cota, así que sus números no llevan error
 accuracy-at_change = punto de cambio en {$place}: los eslabones {$links} podrían seguir también en otro modo, así que sus velocidades no están determinadas y sus números no llevan error

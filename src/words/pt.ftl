@@ -1230,6 +1230,7 @@ motion-at_infinity = no infinito (guias em {$first} e {$second})
 ## Errors and warnings: accuracy
 
 accuracy-unproved = elos {$links}: nada se demonstra de sua posição ou de seu movimento, portanto seus números não levam erro
+accuracy-pulls = os perfis do contato {$contact} teriam de puxar um ao outro aqui: eles se separam, se nada os mantém juntos
 accuracy-unbounded = {$names}: não se pode dar nenhum limite do erro, pois aquilo de que são lidos pode ser zero, ou retas paralelas
 accuracy-at_limit = posição limite em {$place}: os elos {$links} não podem ir além; suas velocidades e acelerações crescem sem limite, portanto seus números não levam erro
 accuracy-at_change = ponto de mudança em {$place}: os elos {$links} também poderiam seguir em outro modo, portanto suas velocidades não estão determinadas e seus números não levam erro

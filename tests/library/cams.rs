@@ -176,6 +176,11 @@ fn a_contact_has_the_true_motion_and_forces_of_its_equivalent_link() {
         assert!((force(0) * normal(1) - force(1) * normal(0)).abs() < 1e-11);
         assert!(libm::hypot(force(0), force(1)) > 80.0);
     }
+    // It carries the weight, the spring and the inertia of the follower, over the cosine of the normal's angle with its way.
+    let normal = |axis: usize| result["contacts"]["1/3"]["normal"][axis].as_f64().expect("a normal");
+    let pressed = result["contacts"]["1/3"]["force"].as_f64().expect("a force");
+    let carried = 1.5 * 9.81 + 80.0 + 1.5e-3 * -4236.361038506902;
+    near(pressed, carried / normal(1), 1.0, &"the force of the contact");
 }
 
 /// An eccentric disc, radius R, centre e from the shaft; a roller, radius r, on a line beside the shaft by x: over a whole turn
@@ -457,6 +462,12 @@ fn a_flat_follower_presses_along_the_normal() {
         let force = |axis: usize| result["forces"]["reactions"]["K"]["1"]["force"][axis].as_f64().expect("a force");
         near(force(0), 0.0, 100.0, &scene);
         near(force(1), -100.0, 100.0, &scene);
+        near(contact(&s, "1/2").force.expect("a load"), 100.0, 100.0, &scene);
+        let mut lifted = scene.clone();
+        lifted["forces"][0]["force"] = json!([0, 7]);
+        let lifted = solution(&lifted).result();
+        near(lifted.contacts["1/2"].force.expect("a load"), -7.0, 100.0, &scene);
+        assert_eq!(lifted.warnings.len(), 1, "{:?}", lifted.warnings);
         // The follower's own guide carries the couple of the eccentric force.
         let couple = result["forces"]["sliders"]["2/ground"]["couple"].as_f64().expect("a couple");
         near(couple.abs(), 100.0 * (beside - 6.0).abs(), 100.0, &scene);
