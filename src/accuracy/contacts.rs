@@ -27,7 +27,8 @@ impl Bounds<'_> {
         let now = self.snapshot();
         let scene = self.scene;
         let vector = |at: Pair<f64>, of: &dyn Fn(&Enclosed<'_>) -> Option<Pair<Ball>>| {
-            let error = self.from(|e| of(&Enclosed { enclosure: e, scene }), |ball| self.of_vector(ball, Vector::new(at.x, at.y)));
+            let error = self
+                .from(|e| of(&Enclosed { enclosure: e, scene }), |ball| self.of_vector(ball, Vector::new(at.x, at.y)));
             // Without a negative zero.
             ([at.x + 0.0, at.y + 0.0], error)
         };

@@ -3,8 +3,8 @@
 use super::context::SheetContext;
 use super::lines::Lines;
 use super::view::Series;
-use crate::construction::{FigureOf, contacts_told};
 use crate::construction::kennedy::missing_of_centers;
+use crate::construction::{FigureOf, contacts_told};
 use crate::cycle::{Centrode, Times};
 use crate::geometry::Place;
 use crate::text::Untrusted;

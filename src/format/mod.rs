@@ -4,12 +4,12 @@
 
 #[cfg(feature = "arrow")]
 mod columns;
+mod contacts;
 #[doc(hidden)] // for tests
 pub mod digits;
 mod feedback;
 #[cfg(feature = "png")]
 mod film;
-mod contacts;
 mod forces;
 mod json;
 #[doc(hidden)] // for tests
@@ -29,6 +29,7 @@ mod workbench;
 
 #[cfg(feature = "arrow")]
 pub use self::columns::{ColumnFormat, Columns};
+pub use self::contacts::ContactResult;
 #[doc(inline)]
 pub use self::digits::DigitRow;
 pub use self::feedback::{FEEDBACK_MARK, feedback_html, html_text};
@@ -36,7 +37,6 @@ pub use self::feedback::{FEEDBACK_MARK, feedback_html, html_text};
 pub use self::film::FilmFormat;
 #[cfg(all(feature = "cli", feature = "png"))]
 pub(crate) use self::film::MOST_AREA as MOST_FILM_AREA;
-pub use self::contacts::ContactResult;
 pub use self::forces::{DriveResult, ForceResult, ForcesResult, FrameResult, GuideForceResult, InertiaResult};
 pub use self::json::{json, json_line};
 #[cfg(feature = "pdf")]

@@ -390,8 +390,7 @@ impl Solution {
         });
         let forces = self.forces();
         let contacts = ContactResult::all(self, forces.as_ref(), bounds);
-        let pulling = contacts.iter().filter(|(_, contact)| contact.pulls())
-            .map(|(name, _)| pulls(name).to_string());
+        let pulling = contacts.iter().filter(|(_, contact)| contact.pulls()).map(|(name, _)| pulls(name).to_string());
         let pulling: Vec<String> = pulling.collect();
         ResultFile {
             kinegon: 1,
@@ -407,11 +406,7 @@ impl Solution {
             contacts,
             centers: IndexMap::new(),
             pencil: None,
-            warnings: self
-                .warnings()
-                .chain(bounds.warnings().iter().map(ToString::to_string))
-                .chain(pulling)
-                .collect(),
+            warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).chain(pulling).collect(),
             notes: told_turning_back(self, &Wording::default()),
         }
     }

@@ -1,7 +1,6 @@
 use crate::construction::{
     Action, CurvatureStep, ForceStep, NOTHING, NumberedStep, Solution, Teller, Tolerance, contacts_told, display,
-    plain_text,
-    shown_text,
+    plain_text, shown_text,
 };
 use crate::drawing::drawn_vector;
 use crate::geometry::{Vector, degrees_of};

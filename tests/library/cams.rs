@@ -274,13 +274,52 @@ fn eccentric_cams_with_flat_followers_over_a_whole_turn() {
     }
 }
 
+/// What moves as a disc on a flat face is a pin on a guide beside it: said by a contact and by a slider, results are the same within their bounds.
+#[test]
+fn flat_faces_have_the_bounds_of_guides_beside_them() {
+    for seed in 0..COUNT {
+        let dice = &mut Random(seed);
+        let (e, disc, angle) = (from(1.0, dice) / 10.0, from(20.0, dice) / 3.0, 3.6 * from(0.0, dice));
+        let base = [from(-180.0, dice), from(-20.0, dice) / 2.0];
+        let side = [1.0, -1.0][dice.below(2)];
+        let mut scene = json!({ "kinegon": 1, "units": units(), "ground": { "A": [0, 0], "B": base },
+            "links": { "1": { "points": ["A", "K"], "lengths": { "AK": e }, "drive": { "angle": angle, "omega": 3, "alpha": -2 } },
+                       "2": { "shape": { "B": 0, "E": 150 } } } });
+        let mut other = scene.clone();
+        let along = if side > 0.0 { 0 } else { 180 };
+        scene["contacts"] = json!([{ "links": ["1", "2"], "centers": ["K"], "radii": [disc], "along": along, "through": "B", "circular": true }]);
+        other["sliders"] = json!([{ "pin": "K", "on": "2", "through": [0, -side * disc], "along": along }]);
+        let [by_contact, by_slider] = [&scene, &other].map(|scene| solution(scene).result());
+        let mut compared = 0;
+        let mut see = |what: &str, values: [f64; 2], errors: [f64; 2]| {
+            let allowed = 1.001 * (errors[0] + errors[1]) + 4.0 * f64::EPSILON * values[0].abs();
+            assert!((values[0] - values[1]).abs() <= allowed, "{what}: {values:?} {errors:?}\n{scene}");
+            assert!(errors[0] <= 2.0 * errors[1] + 1e-13 * values[0].abs().max(1.0), "{what}: {errors:?}\n{scene}");
+            compared += 1;
+        };
+        let [a, b] = [&by_contact.links["2"], &by_slider.links["2"]];
+        see("omega", [a.omega, b.omega], [a.omega_error, b.omega_error]);
+        see("alpha", [a.alpha, b.alpha].map(Option::unwrap), [a.alpha_error, b.alpha_error].map(Option::unwrap));
+        see("angle", [a.angle, b.angle].map(Option::unwrap), [a.angle_error, b.angle_error].map(Option::unwrap));
+        let [a, b] = [&by_contact.sliders["K/2"], &by_slider.sliders["K/2"]];
+        see("v_r", [a.velocity, b.velocity], [a.velocity_error, b.velocity_error]);
+        see(
+            "s",
+            [a.position, b.position].map(Option::unwrap),
+            [a.position_error, b.position_error].map(Option::unwrap),
+        );
+        assert_eq!(compared, 5);
+    }
+}
+
 /// A flat lever about B that lies on a disc: its angle is that of BK and the angle between, of which the sine is R / BK.
 #[test]
 fn flat_levers_on_eccentric_cams() {
     for seed in 0..COUNT {
         let dice = &mut Random(seed);
         let (e, disc, angle) = (from(1.0, dice) / 10.0, from(20.0, dice) / 3.0, 3.6 * from(0.0, dice));
-        let (omega, alpha, base) = (from(-50.0, dice), from(-50.0, dice), [from(-180.0, dice), from(-20.0, dice) / 2.0]);
+        let (omega, alpha, base) =
+            (from(-50.0, dice), from(-50.0, dice), [from(-180.0, dice), from(-20.0, dice) / 2.0]);
         // The disc lies to the right of the face: below a lever to +x, above one on which the face runs back.
         let side = [1.0, -1.0][dice.below(2)];
         let theta = Jet([angle.to_radians(), omega, alpha]);
@@ -355,10 +394,7 @@ fn round_profiles_of_two_levers() {
         for (center, radius) in centers.iter().zip(radii) {
             near(libm::hypot(touch[0] - center.x, touch[1] - center.y), radius.abs(), 100.0, &scene);
         }
-        let against = [
-            -omega * touch[1] + lever.0[1] * touch[1],
-            omega * touch[0] - lever.0[1] * (touch[0] - base),
-        ];
+        let against = [-omega * touch[1] + lever.0[1] * touch[1], omega * touch[0] - lever.0[1] * (touch[0] - base)];
         near(against[0] * c.normal[0] + against[1] * c.normal[1], 0.0, 100.0 * size, &scene);
         near(c.sliding.expect("it slides"), -against[0] * c.normal[1] + against[1] * c.normal[0], 100.0 * size, &scene);
     }
@@ -413,7 +449,10 @@ fn radii_are_added_with_all_their_digits() {
     assert!((error - truth).abs() < 1e-6 * truth, "{error} {truth}");
     let [_, y] = by_contact.points["C"].position.expect("a place");
     let off = minus(y, "0.4").abs();
-    assert!(!exceeds(off, by_contact.points["C"].position_error.expect("a bound").max(0.5 * f64::EPSILON * y)), "{off}");
+    assert!(
+        !exceeds(off, by_contact.points["C"].position_error.expect("a bound").max(0.5 * f64::EPSILON * y)),
+        "{off}"
+    );
 }
 
 /// Circles go round; profiles of which only the contact is known stand.
@@ -421,7 +460,8 @@ fn radii_are_added_with_all_their_digits() {
 fn only_circular_profiles_can_be_followed() {
     let text = Kind::named("eccentric-cam").expect("a kind").text;
     let own = solution(&serde_json::from_str(&text).expect("JSON"));
-    let mut path = Path::new(&own.mechanism, &own.pose, Drive::new(&own.mechanism, None).expect("a drive")).expect("regular");
+    let mut path =
+        Path::new(&own.mechanism, &own.pose, Drive::new(&own.mechanism, None).expect("a drive")).expect("regular");
     path.cover(Some(0.0), Some(360.0)).expect("it goes round");
     for angle in 0..36 {
         let angle = 10.0 * f64::from(angle);
@@ -484,10 +524,8 @@ fn edited(text: &str, edits: &[Edit]) -> String {
 fn editing_keeps_contacts() {
     let text = Kind::named("eccentric-cam").expect("a kind").text;
     let rename = |rename, from: &str, to: &str| Edit::Rename { rename, from: from.into(), to: to.into() };
-    let renamed = edited(
-        &text,
-        &[rename(Named::Point, "K", "M"), rename(Named::Link, "3", "5"), rename(Named::Link, "2", "4")],
-    );
+    let renamed =
+        edited(&text, &[rename(Named::Point, "K", "M"), rename(Named::Link, "3", "5"), rename(Named::Link, "2", "4")]);
     assert!(renamed.contains(r#""links": ["1", "5"], "centers": ["M", "C"]"#), "{renamed}");
     assert!(renamed.contains(r#""name": "4""#), "{renamed}");
     // A new link does not take the name of the equivalent one.
@@ -529,8 +567,14 @@ fn editing_keeps_contacts() {
 #[test]
 fn exercises_and_steps_say_what_moves_as_the_profiles_do() {
     for (name, said) in [
-        ("eccentric-cam", "Link 2 is equivalent to the contact of 1 and 3: it joins their centres of curvature K and C."),
-        ("flat-follower", "A pin in K, the centre of curvature of 1, that slides along the flat face of 2 is equivalent to their contact."),
+        (
+            "eccentric-cam",
+            "Link 2 is equivalent to the contact of 1 and 3: it joins their centres of curvature K and C.",
+        ),
+        (
+            "flat-follower",
+            "A pin in K, the centre of curvature of 1, that slides along the flat face of 2 is equivalent to their contact.",
+        ),
     ] {
         let text = Kind::named(name).expect("a kind").text;
         let own = solution(&serde_json::from_str(&text).expect("JSON"));

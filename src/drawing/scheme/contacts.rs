@@ -80,7 +80,9 @@ pub(super) fn places(solution: &Solution) -> impl Iterator<Item = geometry::Poin
             let center = pose.point(profile.center);
             match profile.half {
                 None => [-1.0, 1.0].map(|sign| center + geometry::Vector::repeat(sign * profile.radius)),
-                Some(half) => [-2.0, 2.0].map(|times| center + turn_of_degrees((times * half).to_degrees()) * (touch - center)),
+                Some(half) => {
+                    [-2.0, 2.0].map(|times| center + turn_of_degrees((times * half).to_degrees()) * (touch - center))
+                }
             }
         });
         ends.chain([touch]).collect::<Vec<_>>()
@@ -113,8 +115,8 @@ impl SchemeOnPaper<'_> {
             for profile in self.profiles(contact) {
                 let at = (self.at(profile.center), self.length(profile.radius));
                 // A disc that touches twice.
-                let is_drawn =
-                    profile.half.is_none() && drawn.iter().any(|own| (own.0 - at.0).hypot() + (own.1 - at.1).abs() < 0.05);
+                let is_drawn = profile.half.is_none()
+                    && drawn.iter().any(|own| (own.0 - at.0).hypot() + (own.1 - at.1).abs() < 0.05);
                 if let (Some(touch), false) = (touch, is_drawn) {
                     self.profile(canvas, &profile, touch);
                 }
@@ -187,10 +189,9 @@ impl SchemeOnPaper<'_> {
         let pen = if body == GROUND { Pen::Ground } else { Pen::Link };
         let number = self.context.number(body);
         canvas.draw(pen, Shape::Line(touch + along * low, touch + along * high)).number = number;
-        if let (None, Some(nearest)) = (
-            on_face.clone().next(),
-            offsets.iter().min_by(|a, b| a.dot(across).abs().total_cmp(&b.dot(across).abs())),
-        ) {
+        if let (None, Some(nearest)) =
+            (on_face.clone().next(), offsets.iter().min_by(|a, b| a.dot(across).abs().total_cmp(&b.dot(across).abs())))
+        {
             let foot = along * nearest.dot(along).clamp(low, high);
             canvas.draw(Pen::Link, Shape::Line(touch + *nearest, touch + foot)).number = number;
         }
