@@ -109,11 +109,17 @@ pub enum Equivalent {
     },
 }
 
-/// A contact with what is checked when the sliders are: its pin on the flat profile.
+/// A contact with what moves as it does.
 pub(in crate::scene) struct Read {
     contact: Contact,
+    /// The name of the equivalent link, and what its length follows from unless the scene is drawn.
+    link: Option<(String, Option<Ends>)>,
+    /// The pin on the flat profile, which is checked when the sliders are.
     slider: Option<SliderFile>,
 }
+
+/// The ends of an equivalent link and the radii at them.
+type Ends = ([String; 2], [f64; 2]);
 
 /// The contacts of a scene; their equivalent links join the others.
 pub(in crate::scene) fn contacts(
@@ -128,8 +134,8 @@ pub(in crate::scene) fn contacts(
     for (index, given) in file.into_iter().enumerate() {
         let inside = |wrong: Wrong| wrong.inside(&["contacts", &index.to_string()]);
         let names = Names::new(ground, links);
-        let (own, link) = contact(given_by, &names, coordinates, index, given).map_err(inside)?;
-        if let Some((name, ends)) = link {
+        let mut own = contact(given_by, &names, coordinates, index, given).map_err(inside)?;
+        if let Some((name, ends)) = own.link.take() {
             let length = ends.map(|(ends, radii)| equivalent_length(ends, radii, digits));
             let (points, shape) = match length {
                 Some(length) => (vec![length.from.clone(), length.to.clone()], Shape::Lengths(vec![length])),
@@ -151,7 +157,7 @@ pub(in crate::scene) fn faces(
     read: Vec<Read>,
 ) -> Result<Vec<Contact>, Wrong> {
     let mut all = Vec::with_capacity(read.len());
-    for (number, Read { mut contact, slider }) in read.into_iter().enumerate() {
+    for (number, Read { mut contact, slider, .. }) in read.into_iter().enumerate() {
         if let (Some(slider), Equivalent::Slider { index, radius, .. }) = (slider, &mut contact.equivalent) {
             *index = sliders.len();
             let pin = face(given_by, names, coordinates, slider, radius.unwrap_or(0.0));
@@ -172,31 +178,58 @@ impl Read {
     }
 }
 
-/// The ends of an equivalent link and the radii at them.
-type Ends = ([String; 2], [f64; 2]);
-
-/// A contact, and the name of its equivalent link with what its length follows from, if that is given.
+/// A contact of the file.
 fn contact(
     given_by: GivenBy,
     names: &Names<'_>,
     coordinates: &Coordinates,
     index: usize,
     given: ContactFile,
-) -> Result<(Read, Option<(String, Option<Ends>)>), Wrong> {
+) -> Result<Read, Wrong> {
     let ContactFile { links, centers, radii, along, through, roller, circular, name } = given;
     let links = <[String; 2]>::try_from(links).map_err(|all| Wrong::value(&["links"], says::two_touch(all.len())))?;
     let bodies = [body(names, &links[0], "0")?, body(names, &links[1], "1")?];
     if bodies[0] == bodies[1] {
         return Err(Wrong::value(&["links"], says::touches_itself(named(&bodies[0]))));
     }
-    let (has_roller, is_circular) = (roller.unwrap_or(false), circular.unwrap_or(false));
-    let is_flat = along.is_some();
-    if let (false, Some(_)) = (is_flat, &through) {
+    let (has_roller, is_circular, is_flat) = (roller.unwrap_or(false), circular.unwrap_or(false), along.is_some());
+    check_centers(names, &bodies, &centers, is_flat)?;
+    let radii = checked_radii(given_by, centers.len(), radii)?;
+    if is_flat {
+        if name.is_some() {
+            return Err(Wrong::key(&["name"], says::face_without_link()).hint(says::leave_key_out()));
+        }
+        if has_roller {
+            return Err(Wrong::key(&["roller"], says::flat_roller()).hint(says::leave_key_out()));
+        }
+        let [center] = <[String; 1]>::try_from(centers).unwrap_or_default();
+        let pin = Some(center.clone());
+        let slider = SliderFile { pin, on: links[1].clone(), through, along, ..SliderFile::default() };
+        // Its place among the sliders is found when these have been read.
+        let equivalent = Equivalent::Slider { index: 0, center, radius: radii.map(|radii| radii[0]) };
+        let contact = Contact { bodies, equivalent, has_roller, is_circular };
+        return Ok(Read { contact, link: None, slider: Some(slider) });
+    }
+    if through.is_some() {
         return Err(Wrong::key(&["through"], says::through_without_face()).hint(says::give_face()));
     }
-    let wanted = if is_flat { 1 } else { 2 };
-    if centers.len() != wanted {
-        let count = centers.len();
+    let centers = <[String; 2]>::try_from(centers).unwrap_or_default();
+    let radii = radii.map(|radii| [radii[0], radii[1]]);
+    if let Some(radii) = radii {
+        check_touch(radii, has_roller)?;
+        check_drawn(coordinates, &centers, radii).filter(|_| given_by == GivenBy::Drawing).map_or(Ok(()), Err)?;
+    }
+    let name = equivalent_name(names, index, name)?;
+    let ends = radii.filter(|_| given_by == GivenBy::Lengths).map(|radii| (centers.clone(), radii));
+    let equivalent = Equivalent::Link { name: name.clone(), centers, radii };
+    let contact = Contact { bodies, equivalent, has_roller, is_circular };
+    Ok(Read { contact, link: Some((name, ends)), slider: None })
+}
+
+/// Refuses other than a centre of each body, or of the first one where the second is flat.
+fn check_centers(names: &Names<'_>, bodies: &[On; 2], centers: &[String], is_flat: bool) -> Result<(), Wrong> {
+    let count = centers.len();
+    if count != if is_flat { 1 } else { 2 } {
         let (message, hint) = match is_flat {
             true => (says::one_center_of_face(count), says::face_has_no_center()),
             false => (says::two_centers(count), says::center_or_face()),
@@ -210,37 +243,10 @@ fn contact(
         }
     }
     if has(names, &bodies[1], &centers[0]) || centers.get(1).is_some_and(|center| has(names, &bodies[0], center)) {
-        let (first, second) = (named(&bodies[0]), named(&bodies[1]));
-        return Err(Wrong::value(&["centers"], says::center_of_both(first, second)).hint(says::center_on_body()));
+        let message = says::center_of_both(named(&bodies[0]), named(&bodies[1]));
+        return Err(Wrong::value(&["centers"], message).hint(says::center_on_body()));
     }
-    let radii = checked_radii(given_by, wanted, radii)?;
-    if is_flat {
-        if name.is_some() {
-            return Err(Wrong::key(&["name"], says::face_without_link()).hint(says::leave_key_out()));
-        }
-        if has_roller {
-            return Err(Wrong::key(&["roller"], says::flat_roller()).hint(says::leave_key_out()));
-        }
-        let [center] = <[String; 1]>::try_from(centers).unwrap_or_default();
-        let pin = Some(center.clone());
-        let slider = SliderFile { pin, on: links[1].clone(), through, along, ..SliderFile::default() };
-        let radius = radii.map(|radii| radii[0]);
-        let equivalent = Equivalent::Slider { index: 0, center, radius };
-        return Ok((
-            Read { contact: Contact { bodies, equivalent, has_roller, is_circular }, slider: Some(slider) },
-            None,
-        ));
-    }
-    let centers = <[String; 2]>::try_from(centers).unwrap_or_default();
-    let radii = radii.map(|radii| [radii[0], radii[1]]);
-    if let Some(radii) = radii {
-        check_touch(radii, has_roller)?;
-        check_drawn(coordinates, &centers, radii).filter(|_| given_by == GivenBy::Drawing).map_or(Ok(()), Err)?;
-    }
-    let name = equivalent_name(names, index, name)?;
-    let ends = radii.filter(|_| given_by == GivenBy::Lengths).map(|radii| (centers.clone(), radii));
-    let equivalent = Equivalent::Link { name: name.clone(), centers, radii };
-    Ok((Read { contact: Contact { bodies, equivalent, has_roller, is_circular }, slider: None }, Some((name, ends))))
+    Ok(())
 }
 
 /// As many radii as centres; a drawn configuration may do without.
