@@ -10,7 +10,7 @@ use super::polygon::force_plan;
 use super::step::Action;
 use super::writer::Writer;
 use crate::centers::LinkPair;
-use crate::forces::{AtPose, Forces, forces};
+use crate::forces::{AtPose, Forces, forces, warnings_of_friction};
 use crate::mechanism::{AngularRate, BodyId, GROUND, Group, LoopEquations, Mechanism, PointId};
 use crate::motion::{Motion, MotionError, motion};
 use crate::position::Pose;
@@ -91,10 +91,15 @@ impl Solution {
         let words = Wording { language, ..Wording::default() };
         let without = self.construction.without().map(move |far| plain_text(&no_construction(&words, far)));
         let own = Wording { language, ..self.wording() };
+        let friction = self.mechanism.loads.as_ref().filter(|loads| !loads.0.friction.is_empty());
+        let friction = friction.and_then(|_| {
+            warnings_of_friction(&self.mechanism, &AtPose::new(&self.mechanism, &self.pose))
+        });
+        let friction = friction.into_iter().map(|warning| language.says(&warning));
         let centers = self.construction.centers.as_deref();
         let centers = centers.map(|centers| missing_of_centers(centers, &self.mechanism, &own)).unwrap_or_default();
         let centers = centers.into_iter().map(|sentence| plain_text(&sentence));
-        found.into_iter().flatten().map(|warning| language.says(warning)).chain(without).chain(centers)
+        found.into_iter().flatten().map(|warning| language.says(warning)).chain(without).chain(centers).chain(friction)
     }
 }
 

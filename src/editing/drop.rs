@@ -21,6 +21,7 @@ pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneE
     remove_joints(document, Meaning::Link, name)?;
     remove_entries(document, &["forces"], &|load| load["on"] == *name)?;
     remove_entries(document, &["springs"], &|spring| ends(spring).any(|end| end[0] == *name))?;
+    remove_friction(document, &names, Named::Link, name)?;
     document.remove(&["near", &format!("angle({name})")])?;
     for list in ["centrodes", "inflection"] {
         remove_entries(document, &["figure", list], &|link| *link == *name)?;
@@ -100,7 +101,7 @@ fn take_from_link(document: &mut Document<'_>, link: &str, points: &[String], na
 /// Removes what only says something of a point: its place, its known motion, its label, its path.
 fn forget(document: &mut Document<'_>, names: &Names, name: &str) -> Result<(), SceneError> {
     remove_joints(document, Meaning::Point, name)?;
-    remove_loads(document, name)?;
+    remove_loads(document, names, name)?;
     for table in ["near", "points", "known"] {
         document.remove(&[table, name])?;
     }
@@ -115,10 +116,21 @@ fn ends(spring: &Json) -> impl Iterator<Item = &Json> {
     spring["between"].as_array().into_iter().flatten()
 }
 
-/// Removes what loads links at a point: forces and springs there, and masses with their centre there.
-fn remove_loads(document: &mut Document<'_>, point: &str) -> Result<(), SceneError> {
+/// Removes the friction of pins and guides that are named by a point or a link.
+fn remove_friction(document: &mut Document<'_>, names: &Names, what: Named, name: &str) -> Result<(), SceneError> {
+    let renamer = Renamer::new(names, what, name, "\u{1}");
+    let is_gone = |friction: &Json| {
+        let guide = friction["guide"].as_str();
+        (what == Named::Point && friction["pin"] == *name) || guide.is_some_and(|name| renamer.plan_name(name).is_some())
+    };
+    remove_entries(document, &["friction"], &is_gone)
+}
+
+/// Removes what loads links at a point: forces, springs and friction there, and masses with their centre there.
+fn remove_loads(document: &mut Document<'_>, names: &Names, point: &str) -> Result<(), SceneError> {
     remove_entries(document, &["forces"], &|load| load["at"] == *point)?;
     remove_entries(document, &["springs"], &|spring| ends(spring).any(|end| end[1] == *point))?;
+    remove_friction(document, names, Named::Point, point)?;
     let scene = document.json();
     for (link, _) in scene["links"].as_object().into_iter().flatten().filter(|(_, link)| link["center"] == *point) {
         for key in ["mass", "weight", "inertia", "center"] {

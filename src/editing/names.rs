@@ -239,15 +239,26 @@ impl<'a> Renamer<'a> {
         QuantityName::reworded(name, |argument, name| match (argument, self.what) {
             (Argument::Slider, _) => name.split_once('/').and_then(|(sliding, on)| self.slider(sliding, on)),
             (Argument::Link, Named::Link) => (name == self.from).then(|| self.to.to_owned()),
-            (Argument::Load, Named::Link) => self.load(name),
-            (Argument::Link | Argument::Load, Named::Point) | (Argument::Nothing, _) => None,
+            (Argument::Load, _) => self.load(name),
+            (Argument::Link, Named::Point) | (Argument::Nothing, _) => None,
             (Argument::Point, _) => self.plan_name(name),
         })
     }
 
-    /// The name of a load, as `weight(2)`.
+    /// The name of a load, as `weight(2)`, `friction(3/2)` or `friction(B,2)`.
     fn load(&self, name: &str) -> Option<String> {
         let (of, link) = name.strip_suffix(')')?.split_once('(')?;
+        if let Some((sliding, on)) = link.split_once('/') {
+            return Some(format!("{of}({})", self.slider(sliding, on)?));
+        }
+        let new = |name: &str| if name.trim() == self.from { self.to.to_owned() } else { name.to_owned() };
+        if let Some((pin, link)) = link.split_once(',') {
+            let both = if self.what == Named::Link { [pin.to_owned(), new(link)] } else { [new(pin), link.to_owned()] };
+            return (both != [pin, link]).then(|| format!("{of}({})", both.join(",")));
+        }
+        if self.what == Named::Point {
+            return None;
+        }
         (link.trim() == self.from).then(|| format!("{of}({})", self.to))
     }
 

@@ -2,8 +2,8 @@
 
 use super::{Counted, Posed};
 use crate::geometry::{Ball, Pair, Solvable};
-use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, SliderId};
-use crate::scene::{Amount, Analysis, Gauge, GivenBy, LinkPlace, Load, Mass, Over, Spring, SpringEnd};
+use crate::mechanism::{BodyId, GROUND, JointId, Mechanism, PointId, SliderId};
+use crate::scene::{Amount, Analysis, Friction, Gauge, GivenBy, Grip, LinkPlace, Load, Mass, Over, Spring, SpringEnd, RubbingJoint};
 use std::marker::PhantomData;
 
 /// Where a load comes from.
@@ -18,11 +18,13 @@ pub enum Source {
     Given(usize),
     /// The spring of this index.
     Spring(usize),
+    /// The friction in this joint.
+    Friction(JointId),
 }
 
 impl Source {
     /// The name in results of a load from there on a body: that which the scene gives it, `weight(2)`, `inertia(2)`; of a spring with the link
-    /// on which it pulls.
+    /// on which it pulls; of friction with the link and what rubs on it, `friction(3/2)` in a guide and `friction(B,2)` at a pin.
     pub(crate) fn name(self, mechanism: &Mechanism, body: BodyId) -> String {
         let link = &mechanism.body(body).name;
         let loads = mechanism.loads.as_ref().map(|loads| &loads.0);
@@ -32,6 +34,16 @@ impl Source {
             Source::Given(index) => loads.map_or_else(String::new, |loads| loads.loads[index].name.clone()),
             Source::Spring(index) => {
                 loads.map_or_else(String::new, |loads| format!("{}({link})", loads.springs[index].name))
+            }
+            Source::Friction(joint) => {
+                let own = mechanism.joint(joint);
+                match (own.pin, own.slider) {
+                    (Some(pin), _) => format!("friction({},{link})", mechanism.point_name(pin)),
+                    (None, Some(slider)) if own.bodies[1] == body => {
+                        format!("friction({})", mechanism.slider_name(slider))
+                    }
+                    _ => format!("friction({link}/{})", mechanism.body(own.bodies[1]).name),
+                }
             }
         }
     }
@@ -77,6 +89,33 @@ pub(crate) struct LoadList {
     masses: Vec<PlacedMass>,
     given: Vec<PlacedLoad>,
     springs: Vec<PlacedSpring>,
+    /// The joints with friction.
+    pub(super) friction: Vec<(JointId, Rub)>,
+}
+
+/// The friction of a joint.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Rub {
+    /// At a pin with a journal of this radius.
+    Pin { radius: f64, grip: Grip },
+    /// In the guide of this slider.
+    Guide(SliderId, Grip),
+}
+
+impl Grip {
+    /// tan φ and sin φ of the angle of friction.
+    pub(super) fn tangent_and_sine<N: Counted>(self, posed: &impl Posed<N>) -> [N; 2] {
+        match self {
+            Grip::Coefficient(coefficient) => {
+                let tangent = posed.given(coefficient);
+                [tangent, tangent / (N::from(1.0) + tangent * tangent).sqrt()]
+            }
+            Grip::Angle(angle) => {
+                let line = Pair::direction_of_degrees(Ball::decimal(angle));
+                [N::of_ball(line.y / line.x), N::of_ball(line.y)]
+            }
+        }
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -127,6 +166,27 @@ pub(crate) fn center<N: Counted>(mechanism: &Mechanism, posed: &impl Posed<N>, b
     let mass = loads.masses.get(&mechanism.body(body).name)?;
     let center = spot(mechanism, body, Some(&mass.center));
     Some(Here { posed, numbers: PhantomData }.place(body, center))
+}
+
+/// The joints of a mechanism with loads that have friction.
+pub(crate) fn rubbed_joints(mechanism: &Mechanism) -> Vec<JointId> {
+    let loads = mechanism.loads.iter().map(|loads| &loads.0);
+    let all = loads.flat_map(|loads| &loads.friction).flat_map(|friction| rubbed(mechanism, friction));
+    all.map(|(joint, _)| joint).collect()
+}
+
+/// The joints that have this friction.
+fn rubbed(mechanism: &Mechanism, friction: &Friction) -> Vec<(JointId, Rub)> {
+    let grip = friction.grip;
+    match &friction.joint {
+        RubbingJoint::Pin { point, radius } => {
+            mechanism.joints_at_pin(point).map(|joint| (joint, Rub::Pin { radius: *radius, grip })).collect()
+        }
+        RubbingJoint::Guide(name) => {
+            let slider = mechanism.slider_named(name);
+            slider.map(|slider| (mechanism.slider_joint(slider), Rub::Guide(slider, grip))).into_iter().collect()
+        }
+    }
 }
 
 /// A place of a body as the scene gives it; its first point where it gives none.
@@ -181,7 +241,13 @@ impl LoadList {
             masses: loads.masses.iter().filter_map(mass).collect(),
             given: loads.loads.iter().map(given).collect::<Option<_>>()?,
             springs: loads.springs.iter().map(spring).collect::<Option<_>>()?,
+            friction: loads.friction.iter().flat_map(|friction| rubbed(mechanism, friction)).collect(),
         })
+    }
+
+    /// The same with smooth joints.
+    pub(super) fn without_friction(self) -> LoadList {
+        LoadList { friction: Vec::new(), ..self }
     }
 
     /// All loads on bodies whose equilibrium counts; the frame among them for what springs do to it. `None` where a load changes over

@@ -13,6 +13,8 @@ pub(crate) struct Carried<N = Ball> {
     /// Between teeth, at their pitch point: the part of the force on the first body along the tangent, which is the direction from the first wheel's
     /// centre to the second's, or from a wheel's centre to its rack, turned by +90°.
     pub tangential: N,
+    /// What friction in the joint does to its second body, about the joint's place: a couple at a pin, a force along a guide.
+    pub friction: Wrench<N>,
 }
 
 /// What a drive needs.
@@ -78,6 +80,21 @@ impl<N: Solvable> Forces<N> {
     /// The force between the teeth of a joint, on its first body.
     pub(crate) fn tooth_force(&self, joint: JointId) -> Pair<N> {
         -self.joints[joint.0].force
+    }
+
+    /// The couple of friction that a body receives at a pin from all other bodies there, counter-clockwise positive.
+    pub(crate) fn friction_at_pin(&self, mechanism: &Mechanism, pin: PointId, body: BodyId) -> N {
+        let at_pin = mechanism.joints.iter().zip(&self.joints).filter(|(joint, _)| joint.pin == Some(pin));
+        at_pin.fold(N::default(), |sum, (joint, carried)| match joint.bodies {
+            [_, second] if second == body => sum + carried.friction.moment,
+            [first, _] if first == body => sum - carried.friction.moment,
+            _ => sum,
+        })
+    }
+
+    /// The friction that a sliding link receives along its guide, whose direction is `guide`.
+    pub(crate) fn friction_along(&self, mechanism: &Mechanism, slider: SliderId, guide: Pair<N>) -> N {
+        self.slider(mechanism, slider).friction.force.dot(guide)
     }
 
     /// The load of a kind on a body.

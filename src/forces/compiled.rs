@@ -74,16 +74,19 @@ impl Compiled {
     /// A mechanism compiled.
     #[must_use]
     pub fn new(mechanism: &Mechanism) -> Compiled {
-        let plan = Plan::new(mechanism);
-        Compiled { mechanism: mechanism.clone(), loads: LoadList::new(mechanism), plan }
+        let loads = LoadList::new(mechanism);
+        // What joints with friction carry needs more than sums.
+        let has_friction = loads.as_ref().is_some_and(|loads| !loads.friction.is_empty());
+        let plan = if has_friction { None } else { Plan::new(mechanism) };
+        Compiled { mechanism: mechanism.clone(), loads, plan }
     }
 
     /// The forces in a position; their [`Forces::drives`] are empty. `None` without loads and in a singular position.
     pub(crate) fn forces<N: Quick>(&self, posed: &impl Posed<N>) -> Option<Forces<N>> {
-        let acting = self.loads.as_ref()?.acting(posed)?;
+        let loads = self.loads.as_ref()?;
         match &self.plan {
-            Some(plan) => plan.carried(&self.mechanism, posed, acting),
-            None => equilibrium::carried(&self.mechanism, posed, acting),
+            Some(plan) => plan.carried(&self.mechanism, posed, loads.acting(posed)?),
+            None => equilibrium::carried(&self.mechanism, posed, loads),
         }
     }
 }
@@ -223,7 +226,7 @@ impl<P: Posed<N>, N: Quick> Here<'_, P, N> {
         let wrench = self.loads[hung.body.0];
         let mut couple = self.passed(hung, wrench);
         let (force, own) = if hung.is_second { (-wrench.force, -couple) } else { (wrench.force, couple) };
-        self.joints[hung.joint.0] = Carried { force, couple: own, tangential: N::default() };
+        self.joints[hung.joint.0] = Carried { force, couple: own, ..Carried::default() };
         if matches!(hung.by, By::Drive) {
             self.torques[hung.body.0] = -wrench.moment;
             // The frame receives the torque's reaction.

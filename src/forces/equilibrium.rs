@@ -1,7 +1,8 @@
 //! Equilibrium of every link, group by group from the last one to the first, then of the driven links.
 
-use super::acting::{Acting, Wrench, about};
+use super::acting::{LoadList, Wrench, about};
 use super::carried::{Carried, Forces};
+use super::friction::{Resisting, as_loads, resisting};
 use super::{Counted, Posed};
 use crate::geometry::{Ball, Equations, Pair};
 use crate::mechanism::{BodyId, GROUND, Joint, JointId, Mechanism, Role, Rolling};
@@ -18,8 +19,12 @@ enum Unknown<N> {
 
 #[derive(Clone, Copy, Debug)]
 enum Part<N> {
-    /// In this direction.
-    Force(Pair<N>),
+    /// Of a pin's force in this direction, with the couple of friction that it brings.
+    Pin(Pair<N>, N),
+    /// Across a guide in this direction, with the friction along the guide that it brings.
+    Across(Pair<N>, Pair<N>),
+    /// The force of a drive along its guide.
+    Push(Pair<N>),
     /// By the relation of angles that the joint keeps.
     Couple,
     /// Between the teeth of wheels, or of a wheel and a rack, on the first body.
@@ -37,19 +42,24 @@ struct Tooth<N> {
     apart: Pair<N>,
     /// The tangent of the pressure angle; none where the teeth do not push.
     slope: Option<N>,
+    /// What the teeth push the first body away with, by the tangential force.
+    push: Pair<N>,
 }
 
+/// How often forces that lean are found anew before friction counts as locking; most are found in three or four times.
+const MOST_TIMES: usize = 60;
+/// How often the room around balls is widened until they hold a solution.
+const MOST_ROOMS: usize = 12;
+
 /// What the joints carry, so that all links are in equilibrium; `None` where a group leaves it open.
-pub(super) fn carried<N: Counted>(
-    mechanism: &Mechanism,
-    posed: &impl Posed<N>,
-    acting: Vec<Acting<N>>,
-) -> Option<Forces<N>> {
+pub(super) fn carried<N: Counted>(mechanism: &Mechanism, posed: &impl Posed<N>, list: &LoadList) -> Option<Forces<N>> {
+    let acting = list.acting(posed)?;
     let mut balance = Balance {
         mechanism,
         posed,
         about: mechanism.body_ids().map(|body| about(mechanism, posed, body)).collect(),
         loads: vec![Wrench::default(); mechanism.bodies.len()],
+        resisting: resisting(mechanism, posed, list),
         found: Forces {
             drives: Vec::new(),
             acting: Vec::new(),
@@ -70,6 +80,8 @@ pub(super) fn carried<N: Counted>(
         balance.solve(&[body], &joints)?;
     }
     let frame = balance.loads[GROUND.0];
+    let friction = list.friction.iter().map(|&(joint, _)| (joint, balance.found.joints[joint.0].friction));
+    let acting = acting.into_iter().chain(as_loads(mechanism, posed, friction)).collect();
     Some(Forces { acting, frame, ..balance.found })
 }
 
@@ -116,6 +128,8 @@ struct Balance<'a, P, N> {
     about: Vec<Pair<N>>,
     /// By body: its loads, and what later groups hand on to it.
     loads: Vec<Wrench<N>>,
+    /// By joint: what resists its motion; empty without friction.
+    resisting: Vec<Option<Resisting<N>>>,
     found: Forces<N>,
 }
 
@@ -130,12 +144,86 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
             return None;
         }
         let mut found = self.solved(bodies, &unknowns)?;
-        // The force along the tangent does not hang on that across it: wheels have no moment of that about their centres.
-        if self.push_apart(&unknowns, &found) {
-            found = self.solved(bodies, &unknowns)?;
+        if unknowns.iter().any(|unknown| self.leans(unknown)) {
+            found = self.leaning(bodies, &mut unknowns, found)?;
         }
         self.hand_on(bodies, &unknowns, found);
         Some(())
+    }
+
+    /// Whether a force brings another one with it: friction, or what pushes teeth apart.
+    fn leans(&self, unknown: &Unknown<N>) -> bool {
+        match unknown {
+            Unknown::Joint(_, Part::Tooth(tooth)) => tooth.slope.is_some(),
+            Unknown::Joint(joint, Part::Pin(..) | Part::Across(..)) => {
+                self.resisting.get(joint.0).is_some_and(Option::is_some)
+            }
+            _ => false,
+        }
+    }
+
+    /// The forces with what they bring with them, from those without; `None` where friction locks, and where no bound is proved.
+    ///
+    /// What they bring hangs on their directions and signs alone, so that the solution with those of the last one is a step of
+    /// Newton's. Balls that hold all that comes of their own directions hold a solution, by Brouwer's theorem.
+    fn leaning(&self, bodies: &[BodyId], unknowns: &mut [Unknown<N>], mut found: Vec<N>) -> Option<Vec<N>> {
+        let mut is_settled = false;
+        for _ in 0..MOST_TIMES {
+            let rounded: Vec<N> = found.iter().map(|number| number.rounded()).collect();
+            self.lean(unknowns, &rounded);
+            let next = self.solved(bodies, unknowns)?;
+            is_settled = N::are_settled(&found, &next);
+            found = next;
+            if is_settled {
+                break;
+            }
+        }
+        if !is_settled {
+            return None;
+        }
+        for _ in 0..MOST_ROOMS {
+            let largest = found.iter().fold(N::default(), |largest, &x| largest.larger(x).larger(-x));
+            let room: Vec<N> = found.iter().map(|number| number.roomier(largest)).collect();
+            self.lean(unknowns, &room);
+            found = self.solved(bodies, unknowns)?;
+            if found.iter().zip(room).all(|(number, room)| number.is_within(room)) {
+                return Some(found);
+            }
+        }
+        None
+    }
+
+    /// Makes forces lean as these ask for.
+    fn lean(&self, unknowns: &mut [Unknown<N>], found: &[N]) {
+        let of_pin = |joint: JointId| {
+            let parts = unknowns.iter().zip(found).filter_map(|(unknown, &x)| match *unknown {
+                Unknown::Joint(own, Part::Pin(along, _)) if own == joint => Some(along * x),
+                _ => None,
+            });
+            N::way(parts.fold(Pair::default(), |sum, part| sum + part))
+        };
+        let ways: Vec<Pair<N>> = unknowns
+            .iter()
+            .map(|unknown| match *unknown {
+                Unknown::Joint(joint, Part::Pin(..)) if self.leans(unknown) => of_pin(joint),
+                _ => Pair::default(),
+            })
+            .collect();
+        for ((unknown, &x), way) in unknowns.iter_mut().zip(found).zip(ways) {
+            let Unknown::Joint(joint, part) = unknown else { continue };
+            match (part, self.resisting.get(joint.0).copied().flatten()) {
+                (Part::Pin(along, couple), Some(Resisting::Couple(by_size))) => *couple = by_size * way.dot(*along),
+                (Part::Across(_, friction), Some(Resisting::Along(by_size))) => {
+                    *friction = by_size * x.sense(N::default());
+                }
+                (Part::Tooth(tooth), _) => {
+                    if let Some(slope) = tooth.slope {
+                        tooth.push = tooth.apart * (slope * x.sense(N::default()));
+                    }
+                }
+                _ => {}
+            }
+        }
     }
 
     /// The unknowns that keep these bodies in equilibrium.
@@ -160,25 +248,6 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
         equations.solved()
     }
 
-    /// Adds the forces by which teeth push their bodies apart, which follow from those along the tangents; whether there are any.
-    fn push_apart(&mut self, unknowns: &[Unknown<N>], found: &[N]) -> bool {
-        let mut is_any = false;
-        for (unknown, &x) in unknowns.iter().zip(found) {
-            let Unknown::Joint(joint, Part::Tooth(Tooth { at, apart, slope: Some(slope), .. })) = *unknown else {
-                continue;
-            };
-            let force = apart * (x.larger(-x) * slope);
-            let [first, second] = self.mechanism.joint(joint).bodies;
-            for (body, force) in [(first, force), (second, -force)] {
-                self.loads[body.0].add(Wrench { force, moment: (at - self.about[body.0]).cross(force) });
-            }
-            let carried = &mut self.found.joints[joint.0];
-            carried.force = carried.force - force;
-            is_any = true;
-        }
-        is_any
-    }
-
     /// Notes what is found, and hands it on to the bodies on which these hang.
     fn hand_on(&mut self, bodies: &[BodyId], unknowns: &[Unknown<N>], found: Vec<N>) {
         for (&unknown, x) in unknowns.iter().zip(found) {
@@ -189,14 +258,24 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
             }
             match unknown {
                 Unknown::Torque(body) => self.found.torques[body.0] = x,
-                Unknown::Joint(joint, Part::Force(along)) => {
+                Unknown::Joint(joint, Part::Pin(along, couple)) => {
+                    let carried = &mut self.found.joints[joint.0];
+                    carried.force = carried.force.plus_scaled(along, x);
+                    carried.friction.moment = carried.friction.moment + couple * x;
+                }
+                Unknown::Joint(joint, Part::Across(along, friction)) => {
+                    let carried = &mut self.found.joints[joint.0];
+                    carried.force = carried.force.plus_scaled(along, x);
+                    carried.friction.force = friction * x;
+                }
+                Unknown::Joint(joint, Part::Push(along)) => {
                     let carried = &mut self.found.joints[joint.0];
                     carried.force = carried.force.plus_scaled(along, x);
                 }
                 Unknown::Joint(joint, Part::Couple) => self.found.joints[joint.0].couple = x,
                 Unknown::Joint(joint, Part::Tooth(tooth)) => {
                     let carried = &mut self.found.joints[joint.0];
-                    carried.force = carried.force - tooth.tangent * x;
+                    carried.force = carried.force - (tooth.tangent + tooth.push) * x;
                     carried.tangential = x;
                 }
             }
@@ -227,7 +306,7 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
         };
         let line = Pair::direction_of_degrees(Ball::decimal(pressure));
         let slope = (pressure > 0.0).then(|| N::of_ball(line.y / line.x));
-        Some(Tooth { at, tangent: outwards.quarter_turn(), apart, slope })
+        Some(Tooth { at, tangent: outwards.quarter_turn(), apart, slope, push: Pair::default() })
     }
 
     /// The unknowns of a joint: one for each freedom that it takes away, with the force of its drive.
@@ -236,14 +315,14 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
         let mut parts: SmallVec<[Part<N>; 3]> = SmallVec::new();
         if joint.pin.is_some() {
             let [one, none] = [1.0, 0.0].map(N::from);
-            parts.push(Part::Force(Pair { x: one, y: none }));
-            parts.push(Part::Force(Pair { x: none, y: one }));
+            parts.push(Part::Pin(Pair { x: one, y: none }, none));
+            parts.push(Part::Pin(Pair { x: none, y: one }, none));
         }
         if let Some(slider) = joint.slider {
             let along = self.posed.guide(slider);
-            parts.push(Part::Force(along.quarter_turn()));
+            parts.push(Part::Across(along.quarter_turn(), Pair::default()));
             if self.mechanism.slider(slider).drive.is_some() {
-                parts.push(Part::Force(along));
+                parts.push(Part::Push(along));
             }
         }
         match self.tooth(joint) {
@@ -264,21 +343,28 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
                 let terms = angular.flat_map(|angular| &angular.terms);
                 terms.map(|&(body, weight)| (body, couple(f64::from(weight)))).collect()
             }
-            Unknown::Joint(joint, Part::Tooth(Tooth { at, tangent, .. })) => {
-                let [first, second] = self.mechanism.joint(joint).bodies;
-                let on = |body: BodyId, force: Pair<N>| {
-                    (body, Wrench { force, moment: (at - self.about[body.0]).cross(force) })
-                };
-                smallvec![on(first, tangent), on(second, -tangent)]
+            Unknown::Joint(joint, Part::Tooth(Tooth { at, tangent, push, .. })) => {
+                self.on_both(joint, at, -(tangent + push), N::default())
             }
-            Unknown::Joint(joint, Part::Force(along)) => {
+            Unknown::Joint(joint, part) => {
                 let at = self.posed.place(self.mechanism.joint_point(joint));
-                let [first, second] = self.mechanism.joint(joint).bodies;
-                let on = |body: BodyId, force: Pair<N>| {
-                    (body, Wrench { force, moment: (at - self.about[body.0]).cross(force) })
+                let (force, couple) = match part {
+                    Part::Pin(along, couple) => (along, couple),
+                    Part::Across(along, friction) => (along + friction, N::default()),
+                    Part::Push(along) => (along, N::default()),
+                    Part::Couple | Part::Tooth(_) => return SmallVec::new(),
                 };
-                smallvec![on(first, -along), on(second, along)]
+                self.on_both(joint, at, force, couple)
             }
         }
+    }
+
+    /// A force at a place and a couple on the second body of a joint, and their opposites on the first.
+    fn on_both(&self, joint: JointId, at: Pair<N>, force: Pair<N>, couple: N) -> SmallVec<[(BodyId, Wrench<N>); 3]> {
+        let [first, second] = self.mechanism.joint(joint).bodies;
+        let on = |body: BodyId, force: Pair<N>, couple: N| {
+            (body, Wrench { force, moment: (at - self.about[body.0]).cross(force) + couple })
+        };
+        smallvec![on(first, -force, -couple), on(second, force, couple)]
     }
 }

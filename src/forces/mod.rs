@@ -1,7 +1,8 @@
 //! In: the loads of a scene, its mechanism, its places and its motion. Out: [`Forces`]: what every joint carries, and what every drive
 //! needs. Nothing here runs for a scene without loads.
 //!
-//! In reading order: `acting` makes loads of masses, gravity, inertia, forces and springs; `equilibrium` finds what joints carry;
+//! In reading order: `acting` makes loads of masses, gravity, inertia, forces and springs; `equilibrium` finds what joints carry, `friction`
+//! what resists their motion;
 //! `power` finds the drives' torques a second time, from velocities; `opened` and `compiled` are quick for many positions; `carried` holds the result.
 //!
 //! # Forces in joints
@@ -29,24 +30,28 @@ mod acting;
 mod carried;
 mod compiled;
 mod equilibrium;
+mod friction;
 mod opened;
 mod power;
+mod says;
 
 use acting::LoadList;
 pub use acting::Source;
-pub(crate) use acting::center;
+pub(crate) use acting::{center, rubbed_joints};
 pub use carried::{Agreement, Drive, Forces};
 pub use compiled::Compiled;
 pub(crate) use equilibrium::{driven, own_joint};
 pub use power::Driven;
 pub(crate) use power::lever_states;
 
-use crate::geometry::{Ball, Pair, Several, Solvable, Vector, degrees_of};
-use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::geometry::{Ball, Number, Pair, SEVERAL, Several, Solvable, Vector, degrees_of};
+use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
+use crate::message::Message;
 use crate::motion::{Places, State, bounded_motion};
 use crate::position::Pose;
 use crate::scene::Over;
 use crate::sheet::Order;
+use indexmap::IndexSet;
 
 /// Where bodies are and how they move, for their forces.
 pub(crate) trait Posed<N> {
@@ -78,6 +83,27 @@ pub(crate) trait Counted: Solvable {
     fn degrees(axis: Pair<Self>) -> Self;
     /// How often a load acts at this place of its table.
     fn factor(self, over: &Over) -> Self;
+    /// 1 or −1 by its sign; 0 up to the size `least`. A number that may be smaller, or have either sign, has all from −1 to 1.
+    fn sense(self, least: Self) -> Self;
+    /// The unit vector along a vector; none of what is zero.
+    fn way(vector: Pair<Self>) -> Pair<Self>;
+    /// The number without its bound.
+    fn rounded(self) -> Self;
+    /// Whether all numbers are what they were, to the digits of f64 in parts of the largest.
+    fn are_settled(before: &[Self], after: &[Self]) -> bool;
+    /// The number with more room around it, in parts of the largest.
+    fn roomier(self, largest: Self) -> Self;
+    /// Whether all that it may be is within another one.
+    fn is_within(self, other: Self) -> bool;
+}
+
+/// The part of the largest of several numbers by which they may change and still count as found: the next change is its square.
+const SETTLED: f64 = 1e-13;
+
+/// Whether numbers are what they were.
+fn are_settled(pairs: impl Iterator<Item = (f64, f64)> + Clone) -> bool {
+    let largest = pairs.clone().fold(0.0_f64, |largest, (_, after)| largest.max(after.abs()));
+    pairs.fold(0.0_f64, |most, (before, after)| most.max((after - before).abs())) <= SETTLED * largest
 }
 
 impl Counted for Ball {
@@ -93,6 +119,33 @@ impl Counted for Ball {
     fn factor(self, over: &Over) -> Ball {
         over.at(self)
     }
+
+    fn sense(self, least: Ball) -> Ball {
+        let is_certain = self.smallest() > least.largest();
+        if is_certain { Ball::from(self.high.signum()) } else { Ball { radius: 1.0, ..Ball::default() } }
+    }
+
+    fn way(vector: Pair<Ball>) -> Pair<Ball> {
+        let size = vector.dot(vector).sqrt();
+        let any = Ball { radius: 1.0, ..Ball::default() };
+        if size.smallest() > 0.0 { vector * (Ball::from(1.0) / size) } else { Pair { x: any, y: any } }
+    }
+
+    fn rounded(self) -> Ball {
+        self.middle()
+    }
+
+    fn are_settled(before: &[Ball], after: &[Ball]) -> bool {
+        are_settled(before.iter().zip(after).map(|(before, after)| (before.high, after.high)))
+    }
+
+    fn roomier(self, largest: Ball) -> Ball {
+        self.widened(2.0 * self.radius + ROOM * largest.largest())
+    }
+
+    fn is_within(self, other: Ball) -> bool {
+        (self - other.middle()).largest() <= other.radius
+    }
 }
 
 impl Counted for f64 {
@@ -107,7 +160,35 @@ impl Counted for f64 {
     fn factor(self, over: &Over) -> f64 {
         over.at_exactly(self)
     }
+
+    fn sense(self, least: f64) -> f64 {
+        if self.abs() <= least { 0.0 } else { self.signum() }
+    }
+
+    fn way(vector: Pair<f64>) -> Pair<f64> {
+        let size = vector.dot(vector).sqrt();
+        if size == 0.0 { vector } else { vector * (1.0 / size) }
+    }
+
+    fn rounded(self) -> f64 {
+        self
+    }
+
+    fn are_settled(before: &[f64], after: &[f64]) -> bool {
+        are_settled(before.iter().copied().zip(after.iter().copied()))
+    }
+
+    fn roomier(self, _: f64) -> f64 {
+        self
+    }
+
+    fn is_within(self, _: f64) -> bool {
+        true
+    }
 }
+
+/// What balls get around them before they are proved to hold a solution, in parts of the largest: more than rounding leaves.
+const ROOM: f64 = 1e-28;
 
 impl Counted for Several {
     fn of_ball(ball: Ball) -> Several {
@@ -121,15 +202,60 @@ impl Counted for Several {
     fn factor(self, over: &Over) -> Several {
         self.map(|at| over.at_exactly(at))
     }
+
+    fn sense(self, least: Several) -> Several {
+        Several(std::array::from_fn(|lane| self.0[lane].sense(least.0[lane])))
+    }
+
+    fn way(vector: Pair<Several>) -> Pair<Several> {
+        let ways: [Pair<f64>; SEVERAL] =
+            std::array::from_fn(|lane| f64::way(Pair { x: vector.x.0[lane], y: vector.y.0[lane] }));
+        Pair { x: Several(ways.map(|way| way.x)), y: Several(ways.map(|way| way.y)) }
+    }
+
+    fn rounded(self) -> Several {
+        self
+    }
+
+    fn are_settled(before: &[Several], after: &[Several]) -> bool {
+        let of_lane = |lane: usize| before.iter().zip(after).map(move |(a, b)| (a.0[lane], b.0[lane]));
+        (0..SEVERAL).all(|lane| are_settled(of_lane(lane)))
+    }
+
+    fn roomier(self, _: Several) -> Several {
+        self
+    }
+
+    fn is_within(self, _: Several) -> bool {
+        true
+    }
 }
 
 /// The forces in a mechanism, with the drives' torques by both routes; `None` without loads, and where the equations of a group leave a
 /// number open, as they do in a singular position and beyond the range of f64.
 pub(crate) fn forces(mechanism: &Mechanism, posed: &(impl Posed<Ball> + Places)) -> Option<Forces> {
-    let acting = LoadList::new(mechanism)?.acting(posed)?;
-    let forces = equilibrium::carried(mechanism, posed, acting)?;
+    let forces = equilibrium::carried(mechanism, posed, &LoadList::new(mechanism)?)?;
     let drives = power::drives(mechanism, posed, &forces)?;
     Some(Forces { drives, ..forces })
+}
+
+/// What is to be said of friction at a pose: that it locks, or that it counts as nothing in joints at rest.
+pub(crate) fn warnings_of_friction(mechanism: &Mechanism, posed: &(impl Posed<Ball> + Places)) -> Option<Message> {
+    let list = LoadList::new(mechanism).filter(|list| !list.friction.is_empty())?;
+    if equilibrium::carried(mechanism, posed, &list).is_none() {
+        return equilibrium::carried(mechanism, posed, &list.without_friction()).map(|_| says::friction_locks());
+    }
+    let at_rest = friction::at_rest(mechanism, posed, &list);
+    let name = |joint: JointId| {
+        let joint = mechanism.joint(joint);
+        match (joint.pin, joint.slider) {
+            (Some(pin), _) => mechanism.point_name(pin).to_owned(),
+            (None, slider) => slider.map_or_else(String::new, |slider| mechanism.slider_name(slider)),
+        }
+    };
+    let names: IndexSet<String> = at_rest.into_iter().map(name).collect();
+    let names: Vec<String> = names.into_iter().collect();
+    (!names.is_empty()).then(|| says::friction_at_rest(names.join(", ")))
 }
 
 /// A pose and its motion, whose numbers count as exact.

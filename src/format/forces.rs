@@ -2,7 +2,7 @@
 
 use crate::accuracy::Bounds;
 use crate::construction::Solution;
-use crate::forces::{Forces, Source};
+use crate::forces::{Forces, Source, rubbed_joints};
 use crate::geometry::{Ball, Pair};
 use crate::mechanism::{BodyId, JointId, PointId};
 use crate::quantity::LoadOf;
@@ -43,6 +43,12 @@ pub struct ForceResult {
     /// Bound on the error of both components.
     #[schemars(with = "Option<f64>")]
     pub force_error: f64,
+    /// The couple of friction that it receives beside; left out at a pin without friction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
+    /// Bound on the error of `friction`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction_error: Option<f64>,
 }
 
 /// What a sliding link receives from its guide.
@@ -64,6 +70,12 @@ pub struct GuideForceResult {
     /// Bound on the error of `offset`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub offset_error: Option<f64>,
+    /// The friction along the guide, in its direction; left out of a guide without friction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
+    /// Bound on the error of `friction`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction_error: Option<f64>,
 }
 
 /// What a wheel receives from the teeth of another one, at the pitch point.
@@ -138,8 +150,9 @@ impl ForcesResult {
     pub(super) fn new(solution: &Solution, forces: &Forces, bounds: &Bounds<'_>) -> ForcesResult {
         let Solution { mechanism, .. } = solution;
         let agreement = forces.agreement();
+        let rubbed = rubbed_joints(mechanism);
         ForcesResult {
-            reactions: reactions(solution, forces, bounds),
+            reactions: reactions(solution, forces, bounds, &rubbed),
             sliders: mechanism
                 .slider_ids()
                 .map(|id| {
@@ -148,7 +161,13 @@ impl ForcesResult {
                     let couple = forces.couple(mechanism, id);
                     let offset = couple / normal;
                     let is_there = offset.is_known() && normal.smallest() > 0.0;
+                    let friction = rubbed.contains(&mechanism.slider_joint(id));
+                    let friction = friction.then(|| forces.friction_along(mechanism, id, guide).high);
                     let result = GuideForceResult {
+                        friction,
+                        friction_error: friction.map(|friction| {
+                            bounds.of_force(friction, |f, guide| Some(f.friction_along(mechanism, id, guide(id))))
+                        }),
                         normal: normal.high,
                         normal_error: bounds.of_force(normal.high, |f, guide| Some(f.normal(mechanism, id, guide(id)))),
                         couple: couple.high,
@@ -182,13 +201,23 @@ fn reactions(
     solution: &Solution,
     forces: &Forces,
     bounds: &Bounds<'_>,
+    rubbed: &[JointId],
 ) -> IndexMap<String, IndexMap<String, ForceResult>> {
     let mechanism = &solution.mechanism;
     let at = |pin: PointId| {
+        let has_friction = rubbed.iter().any(|joint| mechanism.joint(*joint).pin == Some(pin));
         let on = |body: BodyId| {
             let force = forces.at_pin(mechanism, pin, body)?.rounded();
             let read = |f: &Forces| f.at_pin(mechanism, pin, body);
-            let result = ForceResult { force: force.into(), force_error: bounds.of_force_vector(force, read) };
+            let friction = has_friction.then(|| forces.friction_at_pin(mechanism, pin, body).high);
+            let result = ForceResult {
+                force: force.into(),
+                force_error: bounds.of_force_vector(force, read),
+                friction,
+                friction_error: friction.map(|friction| {
+                    bounds.of_force(friction, |f, _| Some(f.friction_at_pin(mechanism, pin, body)))
+                }),
+            };
             Some((mechanism.body(body).name.clone(), result))
         };
         let bodies = mechanism.body_ids().filter(|&body| !mechanism.body(body).is_nameless());

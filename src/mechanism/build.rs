@@ -10,7 +10,7 @@ use super::{
 };
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::message::Message;
-use crate::scene::{Along, Gauge, GivenBy, Link, Scene, Shape};
+use crate::scene::{Along, Gauge, GivenBy, Link, RubbingJoint, Scene, Shape};
 use crate::text::shown;
 use indexmap::{IndexMap, IndexSet};
 use std::cell::LazyCell;
@@ -51,6 +51,7 @@ pub fn mechanism_with(
     let unpinned = given_angle.map(|_| mechanism.clone());
     mechanism.join_driven();
     add_pins(&mut mechanism);
+    check_friction(scene, &mechanism)?;
     mechanism.groups = groups(scene, &mechanism)?;
     if let (Some((link, angle)), Some(unpinned)) = (given_angle, unpinned) {
         mechanism.placing = Some(Box::new(placing(scene, unpinned, link, angle)?));
@@ -113,6 +114,26 @@ fn check_gauges(scene: &Scene, mechanism: &Mechanism) -> Result<(), StructureErr
         };
         let path = ["forces", &index.to_string(), "over", "of"];
         return Err(scene.error_at(&path, message, None).into());
+    }
+    Ok(())
+}
+
+/// Whether there are the joints that have friction.
+fn check_friction(scene: &Scene, mechanism: &Mechanism) -> Result<(), StructureError> {
+    let all = scene.loads.iter().flat_map(|loads| &loads.friction).enumerate();
+    for (index, friction) in all {
+        let (key, message, hint) = match &friction.joint {
+            RubbingJoint::Guide(name) if mechanism.slider_named(name).is_none() => {
+                let names: Vec<String> = mechanism.slider_ids().map(|id| mechanism.slider_name(id)).collect();
+                let hint = (!names.is_empty()).then(|| says::the_sliders_are(names.join(", ")));
+                ("guide", says::friction_no_slider(shown(name)), hint)
+            }
+            RubbingJoint::Pin { point, .. } if mechanism.joints_at_pin(point).next().is_none() => {
+                ("pin", says::friction_no_joint(point), None)
+            }
+            _ => continue,
+        };
+        return Err(scene.error_at(&["friction", &index.to_string(), key], message, hint).into());
     }
     Ok(())
 }

@@ -7,6 +7,9 @@ messages! { "mechanism":
     add_links;
     over_no_slider(name);
     over_no_zero(name);
+    friction_no_slider(name);
+    the_sliders_are(names);
+    friction_no_joint(point);
     angle_of_another(link);
     angle_in_drive;
     mirror_image(link, points);

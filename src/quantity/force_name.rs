@@ -2,7 +2,7 @@
 
 use super::name::{Finder, Part, QuantityError, Spot, unknown};
 use super::says;
-use crate::forces::Source;
+use crate::forces::{Source, rubbed_joints};
 use crate::mechanism::{BodyId, Class, JointId, Mechanism, PointId, Role, SliderId};
 use crate::message::Message;
 use crate::scene::{Analysis, Head, Loads};
@@ -30,6 +30,10 @@ pub enum ForceOf {
     InertiaForce(BodyId),
     /// The inertia couple of a link, −J α.
     InertiaCouple(BodyId),
+    /// The friction on a sliding link along its guide.
+    Friction(SliderId),
+    /// The couple of friction on a body at a pin.
+    FrictionCouple(PointId, BodyId),
     /// The acceleration of a link's centre of mass.
     CenterAcceleration(BodyId),
     /// The moment of a load about a place.
@@ -88,7 +92,7 @@ impl ForceOf {
 
 impl LoadOf {
     /// The name of the load in results: that which the scene gives it, `weight(2)`, `inertia(2)`; of a spring with the link on which
-    /// it pulls.
+    /// it pulls; of friction with the link and what rubs on it, `friction(3/2)` in a guide and `friction(B,2)` at a pin.
     #[must_use]
     pub fn name(self, mechanism: &Mechanism) -> String {
         self.source.name(mechanism, self.body)
@@ -115,6 +119,11 @@ impl LoadOf {
                 add(Source::Spring(index), mechanism.body_named(&end.on));
             }
         }
+        for joint in rubbed_joints(mechanism) {
+            for body in mechanism.joint(joint).bodies {
+                add(Source::Friction(joint), Some(body));
+            }
+        }
         all
     }
 }
@@ -132,6 +141,8 @@ impl Finder<'_> {
             Head::Push => ForceOf::Push(self.slider(first)?),
             Head::InertiaForce => ForceOf::InertiaForce(self.link(first)?),
             Head::InertiaCouple => ForceOf::InertiaCouple(self.link(first)?),
+            Head::FrictionForce => ForceOf::Friction(self.slider(first)?),
+            Head::FrictionCouple => pin_and_link().map(|(pin, link)| ForceOf::FrictionCouple(pin, link))?,
             Head::CenterAcceleration => ForceOf::CenterAcceleration(self.link(first)?),
             Head::LoadMoment => ForceOf::LoadMoment(self.load(first)?, self.spot(second()?)?),
             Head::Power => ForceOf::Power(self.load(first)?),
@@ -161,7 +172,7 @@ impl Finder<'_> {
         let loads = &self.loads()?;
         let has_mass = |body: &BodyId| loads.masses.contains_key(&mechanism.body(*body).name);
         let why = match force {
-            ForceOf::Reaction(pin, link) => {
+            ForceOf::Reaction(pin, link) | ForceOf::FrictionCouple(pin, link) => {
                 let mut joints = mechanism.joints.iter();
                 let is_joint = joints.any(|joint| joint.pin == Some(*pin) && joint.bodies.contains(link));
                 (!is_joint).then(says::not_at_pin)

@@ -53,6 +53,8 @@ impl ForceOf {
             ForceOf::Push(slider) => Number(forces.push(mechanism, slider, posed.guide(slider))),
             ForceOf::InertiaForce(link) => Vector(inertia(link)?.force),
             ForceOf::InertiaCouple(link) => Number(inertia(link)?.couple),
+            ForceOf::Friction(slider) => Number(forces.friction_along(mechanism, slider, posed.guide(slider))),
+            ForceOf::FrictionCouple(pin, body) => Number(forces.friction_at_pin(mechanism, pin, body)),
             ForceOf::CenterAcceleration(link) => Vector(posed.acceleration(link, center(mechanism, posed, link)?)),
             ForceOf::LoadMoment(ref of, _) => {
                 let load = load(of)?;

@@ -310,6 +310,8 @@ impl Finder<'_> {
             | Head::Push
             | Head::InertiaForce
             | Head::InertiaCouple
+            | Head::FrictionForce
+            | Head::FrictionCouple
             | Head::CenterAcceleration
             | Head::LoadMoment
             | Head::Power

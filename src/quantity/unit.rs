@@ -237,6 +237,11 @@ impl QuantityRequest {
                     ForceOf::Push(id) => plain("F", names(*id).pair),
                     ForceOf::InertiaForce(id) => plain("F", format!("i{}", link(*id))),
                     ForceOf::InertiaCouple(id) => plain("M", format!("i{}", link(*id))),
+                    ForceOf::Friction(id) => Symbol { upper: "f", ..plain("F", names(*id).pair) },
+                    ForceOf::FrictionCouple(pin, body) => {
+                        let below = format!("{},{}", shown(mechanism.point_name(*pin)), link(*body));
+                        Symbol { upper: "f", ..plain("M", below) }
+                    }
                     ForceOf::CenterAcceleration(id) => plain("a", format!("cm{}", link(*id))),
                     ForceOf::LoadMoment(of, about) => plain("M", format!("{},{}", load(of), shown(about.name()))),
                     ForceOf::Power(of) => plain("P", load(of)),

@@ -1,8 +1,9 @@
-//! What a scene's links weigh and what acts on them: masses, gravity, forces, couples and springs, from which forces in joints and
+//! What a scene's links weigh and what acts on them: masses, gravity, forces, couples, springs and friction, from which forces in joints and
 //! drives follow. A scene without any of these keys has none, and nothing is computed of them.
 
 use super::choices::Units;
-use super::error::{Wrong, number};
+use super::error::Wrong;
+use super::friction::{Friction, FrictionFile, at_least_zero};
 use super::given::GivenBy;
 use super::joint::On;
 use super::names::Names;
@@ -193,6 +194,8 @@ pub struct Loads {
     pub loads: Vec<Load>,
     /// Springs, in file order.
     pub springs: Vec<Spring>,
+    /// Friction in joints, in file order.
+    pub friction: Vec<Friction>,
 }
 
 /// What the file says of loads: its keys at the top, and those in the links.
@@ -203,6 +206,7 @@ pub(super) struct LoadFields {
     pub masses: IndexMap<String, MassFields>,
     pub forces: Option<Vec<LoadFile>>,
     pub springs: Option<Vec<SpringFile>>,
+    pub friction: Option<Vec<FrictionFile>>,
 }
 
 impl MassFields {
@@ -217,8 +221,8 @@ impl MassFields {
             (Some(_), Some(_)) => {
                 return Err(Wrong::key(&["weight"], says::mass_and_weight(link)).hint(says::keep_one()));
             }
-            (Some(mass), None) => Amount::Mass(not_negative("mass", mass)?),
-            (None, Some(weight)) => Amount::Weight(not_negative("weight", weight)?),
+            (Some(mass), None) => Amount::Mass(at_least_zero("mass", mass)?),
+            (None, Some(weight)) => Amount::Weight(at_least_zero("weight", weight)?),
             (None, None) => {
                 let key = if self.inertia.is_some() { "inertia" } else { "center" };
                 return Err(Wrong::key(&[key], says::without_mass(link, key)).hint(says::add(r#""mass": 1.5"#)));
@@ -236,17 +240,12 @@ impl MassFields {
         if self.inertia.is_some() && units.mass.is_none() {
             return Err(Wrong::key(&["inertia"], says::no_unit_of_mass(link)).hint(says::add_unit_of_mass()));
         }
-        let inertia = not_negative("inertia", self.inertia.unwrap_or(0.0))?;
+        let inertia = at_least_zero("inertia", self.inertia.unwrap_or(0.0))?;
         let Some(center) = self.center else {
             return Err(Wrong::value(&[], says::no_center_of_mass(link)).hint(says::add_center()));
         };
         Ok(Mass { amount, inertia, center })
     }
-}
-
-/// A number that may be zero but not less.
-fn not_negative(key: &str, value: f64) -> Result<f64, Wrong> {
-    if value < 0.0 { Err(Wrong::value(&[key], says::below_zero(key, number(value)))) } else { Ok(value) }
 }
 
 /// The checked loads; none where no link has a mass and there is no force and no spring.
@@ -256,8 +255,8 @@ pub(super) fn loads(
     units: Units,
     fields: LoadFields,
 ) -> Result<Option<Box<Loads>>, Wrong> {
-    let LoadFields { analysis, gravity, masses, forces, springs } = fields;
-    // Gravity alone loads nothing.
+    let LoadFields { analysis, gravity, masses, forces, springs, friction } = fields;
+    // Gravity alone loads nothing, and where nothing presses, nothing rubs.
     if masses.is_empty() && forces.is_none() && springs.is_none() {
         return Ok(None);
     }
@@ -294,8 +293,13 @@ pub(super) fn loads(
         let spring = places.spring(file, &mut taken, index);
         sprung.push(spring.map_err(|wrong| wrong.inside(&["springs", &index.to_string()]))?);
     }
+    let (mut rubbing, mut joints) = (Vec::new(), IndexSet::new());
+    for (index, file) in friction.unwrap_or_default().into_iter().enumerate() {
+        let read = file.read(names, &mut joints);
+        rubbing.push(read.map_err(|wrong| wrong.inside(&["friction", &index.to_string()]))?);
+    }
     let analysis = analysis.unwrap_or_default();
-    Ok(Some(Box::new(Loads { analysis, gravity, masses: read, loads, springs: sprung })))
+    Ok(Some(Box::new(Loads { analysis, gravity, masses: read, loads, springs: sprung, friction: rubbing })))
 }
 
 /// Reads what refers to places of links.
@@ -342,8 +346,8 @@ impl Places<'_> {
 
     fn spring(&self, file: SpringFile, taken: &mut IndexSet<String>, index: usize) -> Result<Spring, Wrong> {
         let SpringFile { name, between, rate, length } = file;
-        not_negative("rate", rate)?;
-        not_negative("length", length)?;
+        at_least_zero("rate", rate)?;
+        at_least_zero("length", length)?;
         let count = between.len();
         let Ok([first, second]) = <[EndFile; 2]>::try_from(between) else {
             return Err(Wrong::value(&["between"], says::spring_ends(count)).hint(says::spring_between_links()));

@@ -79,6 +79,10 @@ pub enum Head {
     InertiaForce,
     /// The inertia couple of a link.
     InertiaCouple,
+    /// The friction on a sliding link along its guide.
+    FrictionForce,
+    /// The couple of friction on a link at a pin.
+    FrictionCouple,
     /// The acceleration of a link's centre of mass.
     CenterAcceleration,
     /// The moment of a load about a point.
@@ -100,7 +104,7 @@ pub enum Argument {
     Slider,
     /// A point, of the scheme or of a plan.
     Point,
-    /// A load, as a force's name, `weight(2)`, `inertia(2)`, or a spring's name with its link in parentheses.
+    /// A load, as a force's name, `weight(2)`, `inertia(2)`, a spring's name with its link in parentheses, `friction(3/2)` or `friction(B,2)`.
     Load,
     /// None: the name has no parentheses.
     Nothing,
@@ -156,6 +160,8 @@ impl Head {
         (Head::GuideOffset, "h", Argument::Slider, QuantityKind::Position),
         (Head::InertiaForce, "F_i", Argument::Link, QuantityKind::Force),
         (Head::InertiaCouple, "M_i", Argument::Link, QuantityKind::Moment),
+        (Head::FrictionForce, "F_f", Argument::Slider, QuantityKind::Force),
+        (Head::FrictionCouple, "M_f", Argument::Point, QuantityKind::Moment),
         (Head::CenterAcceleration, "a_cm", Argument::Link, QuantityKind::Acceleration),
         (Head::LoadMoment, "moment", Argument::Load, QuantityKind::Moment),
         (Head::Power, "power", Argument::Load, QuantityKind::Power),
@@ -190,7 +196,7 @@ impl Head {
     #[must_use]
     pub fn argument(self, index: usize) -> Argument {
         match (self, index) {
-            (Head::Reaction | Head::ReactionAlong | Head::ReactionAcross, 1) => Argument::Link,
+            (Head::Reaction | Head::ReactionAlong | Head::ReactionAcross | Head::FrictionCouple, 1) => Argument::Link,
             (Head::LoadMoment, 1) => Argument::Point,
             _ => self.facts().1,
         }
@@ -211,6 +217,7 @@ impl Head {
             | Head::Reaction
             | Head::ReactionAlong
             | Head::ReactionAcross
+            | Head::FrictionCouple
             | Head::LoadMoment => Some(","),
             _ => None,
         }

@@ -12,6 +12,7 @@ use super::figure::{Figure, Movable, check_traced};
 use super::given::{GivenBy, PointMotion};
 use super::joint::{Contact, ContactFile, Gear, GearFile, Slider, SliderFile, contacts, faces, gears, sliders};
 use super::link::{Link, LinkFile, links};
+use super::friction::FrictionFile;
 use super::loads::{Analysis, LoadFields, LoadFile, Loads, SpringFile, loads};
 use super::names::Names;
 use super::points::{Ground, Near, check_given_once, check_motions, check_points, ground, known, near};
@@ -59,6 +60,8 @@ pub(super) struct SceneFile {
     pub forces: Option<Vec<LoadFile>>,
     /// Springs between links.
     pub springs: Option<Vec<SpringFile>>,
+    /// Coulomb friction in joints, which counts where loads press on them.
+    pub friction: Option<Vec<FrictionFile>>,
     /// Whether inertia counts among the loads; left out: dynamic.
     pub analysis: Option<Analysis>,
     /// Approximate coordinates of some points, and angles of links as "angle(3)", to choose the assembly mode.
@@ -92,6 +95,7 @@ write_keys!(SceneFile {
     gravity,
     forces,
     springs,
+    friction,
     analysis,
     near,
     figure,
@@ -125,7 +129,7 @@ pub struct Scene {
     pub gears: Vec<Gear>,
     /// The profiles that touch, each with a link or a slider of its own among the others.
     pub contacts: Vec<Contact>,
-    /// Masses, forces and springs; none where the scene gives none of them.
+    /// Masses, forces, springs and friction; none where the scene gives none of the first three.
     pub loads: Option<Box<Loads>>,
     /// Approximate positions that choose the assembly mode; not in a drawn configuration.
     pub near: Near,
@@ -366,6 +370,7 @@ fn check(file: SceneFile, text: &str, mut digits: Digits) -> Result<Scene, Wrong
         masses: of_links.masses,
         forces: file.forces,
         springs: file.springs,
+        friction: file.friction,
     };
     let loads = loads(given_by, &names, file.units, fields)?;
     if let Some(index) = gears.iter().position(|gear| loads.is_some() && gear.belt.is_some()) {

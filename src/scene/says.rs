@@ -357,6 +357,17 @@ messages! { "scene":
     over_more_than_a_turn;
     over_one_turn;
     spring_ends(count);
+    pin_and_guide;
+    friction_nowhere;
+    pin_or_guide;
+    friction_without_radius(point);
+    add_radius;
+    guide_has_no_radius;
+    friction_twice(joint);
+    coefficient_and_angle;
+    no_coefficient;
+    angle_of_friction(angle);
+    below_right_angle;
 
     // The figure.
     scale_is(key, what);
@@ -410,6 +421,7 @@ messages! { "scene":
     expects_table_line;
     expects_load;
     expects_spring;
+    expects_friction;
     expects_a_link;
     expects_ground;
     expects_drive;

@@ -773,6 +773,8 @@ scene-no_unit = es gibt keine Längeneinheit "{$name}"
 scene-did_you_mean = meinten Sie `{$name}`?
 scene-joints_out_of_scope = Glieder sind durch Drehgelenke, gerade Schubgelenke (`sliders`), Räder, Zahnstangen und Riemen (`gears`) und Profile, die sich berühren, wie die von Kurvenscheiben (`contacts`), verbunden
 scene-forces_out_of_scope = Bewegungen folgen aus den Antrieben: Kräfte, Massen, Federn und Reibung gehören nicht dazu
+scene-joints_out_of_scope = Glieder sind durch Drehgelenke, gerade Schubgelenke, Zahnradpaare, Zahnstangen und Riemen verbunden: Kurvenscheiben gehören nicht dazu
+scene-forces_out_of_scope = Lasten sind `mass`, `inertia` und `center` eines Gliedes sowie `gravity`, `forces`, `springs` und `friction` der Szene; Dämpfer gibt es nicht
 
 # What a form asks for.
 
@@ -1025,6 +1027,17 @@ scene-over_in_order = ordne die Zeilen der Tabelle nach ihrer ersten Zahl
 scene-over_more_than_a_turn = eine Tabelle über einem Winkel wiederholt sich mit jeder Umdrehung, und diese ist länger
 scene-over_one_turn = gib höchstens 360° an
 scene-spring_ends = eine Feder hat zwei Enden, nicht {$count}
+scene-pin_and_guide = Reibung ist in einem Zapfen oder in einer Führung, nicht in beiden
+scene-friction_nowhere = Reibung ist in einem Gelenk
+scene-pin_or_guide = `"pin": "B"` ergänzen für den Zapfen eines Punktes oder `"guide": "3/ground"` für die Führung eines Gleitsteins
+scene-friction_without_radius = die Reibung am Zapfen {$point} hat ein Moment, das mit dem Zapfen wächst, dessen Radius fehlt
+scene-add_radius = `"radius"` ergänzen, den des Zapfens, in der Längeneinheit der Szene
+scene-guide_has_no_radius = eine Führung hat keinen Zapfen
+scene-friction_twice = {$joint} hat zweimal Reibung
+scene-coefficient_and_angle = die Reibung hat eine Reibungszahl und einen Winkel, die dasselbe sagen
+scene-no_coefficient = es fehlt, wie groß die Reibung ist
+scene-angle_of_friction = ein Reibungswinkel von {$angle}° liegt nicht unter 90°
+scene-below_right_angle = üblich sind 3° bis 30°, wie bei Reibungszahlen von 0.05 bis 0.6
 
 # The figure.
 
@@ -1081,6 +1094,7 @@ scene-expects_link_place = den Namen eines Punkts in doppelten Anführungszeiche
 scene-expects_table_line = zwei Zahlen, eine Stelle und einen Faktor, wie [90, 1500]
 scene-expects_load = eine Last wie {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
 scene-expects_spring = eine Feder wie {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
+scene-expects_friction = Reibung wie {"{"} "pin": "B", "coefficient": 0.1, "radius": 12 {"}"} oder {"{"} "guide": "3/ground", "coefficient": 0.1 {"}"}
 scene-expects_a_link = ein Glied
 scene-expects_ground = die Gestellpunkte wie {"{"} "A": [x, y], … {"}"}, oder ihre Namen wie ["A", …]
 scene-expects_drive = ein Antrieb wie {"{"} "angle": 70, "omega": -1 {"}"}
@@ -1111,6 +1125,9 @@ mechanism-nothing_to_solve = nichts zu lösen: die Bewegung aller Glieder ist ge
 mechanism-add_links = ergänzen Sie Glieder zwischen den angetriebenen Gliedern, den bekannten Punkten und dem Gestell
 mechanism-over_no_slider = es gibt keinen Gleitstein {$name}, über dessen Lage sich eine Last ändern könnte
 mechanism-over_no_zero = die Lage von {$name} zählt von keinem Punkt an, so dass sich keine Last über ihr ändern kann
+mechanism-friction_no_slider = es gibt keinen Gleitstein {$name}, in dessen Führung Reibung sein könnte
+mechanism-the_sliders_are = die Gleitsteine sind: {$names}
+mechanism-friction_no_joint = in {$point} sind keine Glieder verbunden, dort reibt also nichts
 mechanism-angle_of_another = der Winkel von Glied {$link} kann den des Antriebs nicht ersetzen: er ändert sich nicht mit diesem Antrieb
 mechanism-angle_in_drive = geben Sie im Antrieb an, wo er steht, oder den Winkel eines Gliedes, das sich mit ihm dreht
 mechanism-mirror_image = Glied {$link}: seine Längen passen zu einem Dreieck und zu dessen Spiegelbild; genommen wird {$points}, gegen den Uhrzeigersinn. Um zu wählen, geben Sie in `near` ungefähre Orte seiner Punkte an
@@ -1270,9 +1287,15 @@ quantity-no_line_of_joints = dieses Glied hat dort nicht zwei Gelenke, deren Lin
 quantity-no_normal_force = quer zur Führung wirkt keine Kraft
 quantity-not_driven = es ist nicht angetrieben
 quantity-not_at_pin = dieses Glied hat kein Gelenk an diesem Bolzen
-quantity-no_forces = seine Lasten liegen außerhalb des Zahlenbereichs, oder die Stellung ist singulär
+quantity-no_forces = seine Lasten liegen außerhalb des Zahlenbereichs, die Stellung ist singulär, oder Reibung sperrt
 quantity-nowhere_in_range = in keiner Stellung des Bereichs
 quantity-no_scale_in_table = eine Tabelle hat keinen Maßstab
+
+
+## Errors and warnings: forces
+
+forces-friction_locks = die Reibung sperrt das Getriebe in dieser Lage: kein Antrieb bewegt es in diese Richtung, daher gibt es keine Kräfte
+forces-friction_at_rest = in Ruhe kann die Reibung alles bis zu ihrer Grenze sein: in {$joints} zählt sie nicht, und die angegebenen Fehler lassen sie ganz zu
 
 
 ## Errors and warnings: cycle

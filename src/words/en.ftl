@@ -802,6 +802,8 @@ scene-no_unit = there is no unit of length "{$name}"
 scene-did_you_mean = did you mean `{$name}`?
 scene-joints_out_of_scope = links are joined by pins, straight sliders (`sliders`), wheels, racks and belts (`gears`), and profiles that touch, as those of cams (`contacts`)
 scene-forces_out_of_scope = motions follow from the drives: forces, masses, springs and friction are out of scope
+scene-joints_out_of_scope = links are joined by pins, straight sliders, gear pairs, racks and belts: cams are out of scope
+scene-forces_out_of_scope = loads are `mass`, `inertia` and `center` of a link, and `gravity`, `forces`, `springs` and `friction` of the scene; there are no dampers
 
 # What a form asks for.
 
@@ -1055,6 +1057,17 @@ scene-over_in_order = order the lines of the table by their first number
 scene-over_more_than_a_turn = a table over an angle repeats with every turn, and this one is longer than that
 scene-over_one_turn = give 360° at most
 scene-spring_ends = a spring has two ends, not {$count}
+scene-pin_and_guide = friction is in a pin or in a guide, not in both
+scene-friction_nowhere = friction is in a joint
+scene-pin_or_guide = add `"pin": "B"` for the pin of a point, or `"guide": "3/ground"` for the guide of a slider
+scene-friction_without_radius = friction at pin {$point} has a moment that grows with the journal, whose radius is missing
+scene-add_radius = add `"radius"`, that of the journal, in the scene's unit of length
+scene-guide_has_no_radius = a guide has no journal
+scene-friction_twice = {$joint} has friction twice
+scene-coefficient_and_angle = friction has a coefficient and an angle, which say the same
+scene-no_coefficient = how much friction there is is missing
+scene-angle_of_friction = an angle of friction of {$angle}° is not below 90°
+scene-below_right_angle = common angles are 3° to 30°, as those of coefficients 0.05 to 0.6
 
 # The figure.
 
@@ -1111,6 +1124,7 @@ scene-expects_link_place = the name of a point in double quotes, its coordinates
 scene-expects_table_line = two numbers, a place and a factor, as [90, 1500]
 scene-expects_load = a load as {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
 scene-expects_spring = a spring as {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
+scene-expects_friction = friction as {"{"} "pin": "B", "coefficient": 0.1, "radius": 12 {"}"} or {"{"} "guide": "3/ground", "coefficient": 0.1 {"}"}
 scene-expects_a_link = a link
 scene-expects_ground = the frame's points as {"{"} "A": [x, y], … {"}"}, or their names as ["A", …]
 scene-expects_drive = a drive as {"{"} "angle": 70, "omega": -1 {"}"}
@@ -1141,6 +1155,9 @@ mechanism-nothing_to_solve = nothing to solve: every link's motion is given
 mechanism-add_links = add links between the driven links, the known points and the ground
 mechanism-over_no_slider = there is no slider {$name} over whose position a load could change
 mechanism-over_no_zero = the position of {$name} counts from no point, so that no load can change over it
+mechanism-friction_no_slider = there is no slider {$name} in whose guide there could be friction
+mechanism-the_sliders_are = the sliders are: {$names}
+mechanism-friction_no_joint = no links are joined at {$point}, so nothing rubs there
 mechanism-angle_of_another = the angle of link {$link} cannot stand in place of the drive's: it does not change with that drive
 mechanism-angle_in_drive = say in the drive where it stands, or give the angle of a link that turns with it
 mechanism-mirror_image = link {$link}: its lengths fit a triangle and its mirror image; the counter-clockwise one {$points} is taken. Give rough places of its points in `near` to choose
@@ -1303,9 +1320,15 @@ quantity-no_line_of_joints = that link has not two joints there, whose line woul
 quantity-no_normal_force = no force across the guide
 quantity-not_driven = it is not driven
 quantity-not_at_pin = that link has no joint at that pin
-quantity-no_forces = its loads leave the range of numbers, or the position is singular
+quantity-no_forces = its loads leave the range of numbers, the position is singular, or friction locks it
 quantity-nowhere_in_range = it has none at any position of the range
 quantity-no_scale_in_table = a table has no scale
+
+
+## Errors and warnings: forces
+
+forces-friction_locks = friction locks the mechanism in this position: no drive moves it this way, so no forces are shown
+forces-friction_at_rest = at rest, friction may be anything up to its limit: it counts as nothing in {$joints}, and the stated errors allow all of it
 
 
 ## Errors and warnings: cycle

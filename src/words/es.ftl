@@ -771,6 +771,8 @@ scene-no_unit = no existe la unidad de longitud "{$name}"
 scene-did_you_mean = ¿quiso decir `{$name}`?
 scene-joints_out_of_scope = los eslabones se unen por articulaciones, correderas rectas (`sliders`), ruedas, cremalleras y correas (`gears`), y perfiles que se tocan, como los de levas (`contacts`)
 scene-forces_out_of_scope = los movimientos se siguen de los accionamientos: fuerzas, masas, muelles y rozamiento quedan fuera
+scene-joints_out_of_scope = los eslabones se unen por articulaciones, correderas rectas, pares de engranajes, cremalleras y correas: las levas quedan fuera
+scene-forces_out_of_scope = las cargas son `mass`, `inertia` y `center` de un eslabón, y `gravity`, `forces`, `springs` y `friction` de la escena; no hay amortiguadores
 
 # What a form asks for.
 
@@ -1023,6 +1025,17 @@ scene-over_in_order = ordena las líneas de la tabla por su primer número
 scene-over_more_than_a_turn = una tabla según un ángulo se repite en cada vuelta, y esta es más larga
 scene-over_one_turn = da 360° como mucho
 scene-spring_ends = un resorte tiene dos extremos, no {$count}
+scene-pin_and_guide = el rozamiento está en un pasador o en una guía, no en ambos
+scene-friction_nowhere = el rozamiento está en un par cinemático
+scene-pin_or_guide = añada `"pin": "B"` para el pasador de un punto, o `"guide": "3/ground"` para la guía de una corredera
+scene-friction_without_radius = el rozamiento en el pasador {$point} tiene un momento que crece con el muñón, cuyo radio falta
+scene-add_radius = añada `"radius"`, el del muñón, en la unidad de longitud de la escena
+scene-guide_has_no_radius = una guía no tiene muñón
+scene-friction_twice = {$joint} tiene rozamiento dos veces
+scene-coefficient_and_angle = el rozamiento tiene un coeficiente y un ángulo, que dicen lo mismo
+scene-no_coefficient = falta cuánto rozamiento hay
+scene-angle_of_friction = un ángulo de rozamiento de {$angle}° no es menor que 90°
+scene-below_right_angle = son habituales de 3° a 30°, como los de coeficientes de 0.05 a 0.6
 
 # The figure.
 
@@ -1079,6 +1092,7 @@ scene-expects_link_place = el nombre de un punto entre comillas dobles, sus coor
 scene-expects_table_line = dos números, un lugar y un factor, como [90, 1500]
 scene-expects_load = una carga como {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
 scene-expects_spring = un resorte como {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
+scene-expects_friction = un rozamiento como {"{"} "pin": "B", "coefficient": 0.1, "radius": 12 {"}"} o {"{"} "guide": "3/ground", "coefficient": 0.1 {"}"}
 scene-expects_a_link = un eslabón
 scene-expects_ground = los puntos del bastidor como {"{"} "A": [x, y], … {"}"}, o sus nombres como ["A", …]
 scene-expects_drive = un accionamiento como {"{"} "angle": 70, "omega": -1 {"}"}
@@ -1109,6 +1123,9 @@ mechanism-nothing_to_solve = no hay nada que resolver: está dado el movimiento 
 mechanism-add_links = añada eslabones entre los accionados, los puntos conocidos y el bastidor
 mechanism-over_no_slider = no hay ninguna corredera {$name} según cuya posición pudiera cambiar una carga
 mechanism-over_no_zero = la posición de {$name} no se cuenta desde ningún punto, así que ninguna carga puede cambiar según ella
+mechanism-friction_no_slider = no hay ninguna corredera {$name} en cuya guía pudiera haber rozamiento
+mechanism-the_sliders_are = las correderas son: {$names}
+mechanism-friction_no_joint = en {$point} no se unen eslabones, así que allí nada roza
 mechanism-angle_of_another = el ángulo del eslabón {$link} no puede sustituir al del accionamiento: no cambia con este
 mechanism-angle_in_drive = diga en el accionamiento dónde está, o dé el ángulo de un eslabón que gire con él
 mechanism-mirror_image = eslabón {$link}: sus longitudes valen para un triángulo y para su imagen especular; se toma el antihorario {$points}. Para elegir, dé lugares aproximados de sus puntos en `near`
@@ -1268,9 +1285,15 @@ quantity-no_line_of_joints = ese eslabón no tiene allí dos pares cuya línea s
 quantity-no_normal_force = no hay fuerza transversal a la guía
 quantity-not_driven = no está accionado
 quantity-not_at_pin = ese eslabón no tiene articulación en ese perno
-quantity-no_forces = sus cargas salen del rango de los números, o la posición es singular
+quantity-no_forces = sus cargas salen del rango de los números, la posición es singular o el rozamiento lo bloquea
 quantity-nowhere_in_range = no lo tiene en ninguna posición del intervalo
 quantity-no_scale_in_table = una tabla no tiene escala
+
+
+## Errors and warnings: forces
+
+forces-friction_locks = el rozamiento bloquea el mecanismo en esta posición: ningún accionamiento lo mueve en este sentido, así que no se muestran fuerzas
+forces-friction_at_rest = en reposo el rozamiento puede ser cualquiera hasta su límite: en {$joints} cuenta como nulo, y los errores indicados lo admiten entero
 
 
 ## Errors and warnings: cycle

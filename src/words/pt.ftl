@@ -773,6 +773,8 @@ scene-no_unit = não existe a unidade de comprimento "{$name}"
 scene-did_you_mean = você quis dizer `{$name}`?
 scene-joints_out_of_scope = os elos se unem por pinos, cursores retos (`sliders`), rodas, cremalheiras e correias (`gears`), e perfis que se tocam, como os de cames (`contacts`)
 scene-forces_out_of_scope = os movimentos decorrem dos acionamentos: forças, massas, molas e atrito ficam de fora
+scene-joints_out_of_scope = os elos se unem por pinos, cursores retos, pares de engrenagens, cremalheiras e correias: os cames ficam de fora
+scene-forces_out_of_scope = as cargas são `mass`, `inertia` e `center` de um elo, e `gravity`, `forces`, `springs` e `friction` da cena; não há amortecedores
 
 # What a form asks for.
 
@@ -1025,6 +1027,17 @@ scene-over_in_order = ordene as linhas da tabela pelo seu primeiro número
 scene-over_more_than_a_turn = uma tabela sobre um ângulo repete-se em cada volta, e esta é mais longa
 scene-over_one_turn = dê no máximo 360°
 scene-spring_ends = uma mola tem duas extremidades, não {$count}
+scene-pin_and_guide = o atrito está num pino ou numa guia, não em ambos
+scene-friction_nowhere = o atrito está numa junta
+scene-pin_or_guide = acrescente `"pin": "B"` para o pino de um ponto, ou `"guide": "3/ground"` para a guia de um cursor
+scene-friction_without_radius = o atrito no pino {$point} tem um momento que cresce com o munhão, cujo raio falta
+scene-add_radius = acrescente `"radius"`, o do munhão, na unidade de comprimento da cena
+scene-guide_has_no_radius = uma guia não tem munhão
+scene-friction_twice = {$joint} tem atrito duas vezes
+scene-coefficient_and_angle = o atrito tem um coeficiente e um ângulo, que dizem o mesmo
+scene-no_coefficient = falta quanto atrito há
+scene-angle_of_friction = um ângulo de atrito de {$angle}° não é menor que 90°
+scene-below_right_angle = são comuns 3° a 30°, como os de coeficientes de 0.05 a 0.6
 
 # The figure.
 
@@ -1081,6 +1094,7 @@ scene-expects_link_place = o nome de um ponto entre aspas duplas, as suas coorde
 scene-expects_table_line = dois números, um lugar e um fator, como [90, 1500]
 scene-expects_load = uma carga como {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
 scene-expects_spring = uma mola como {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
+scene-expects_friction = um atrito como {"{"} "pin": "B", "coefficient": 0.1, "radius": 12 {"}"} ou {"{"} "guide": "3/ground", "coefficient": 0.1 {"}"}
 scene-expects_a_link = um elo
 scene-expects_ground = os pontos da base como {"{"} "A": [x, y], … {"}"}, ou seus nomes como ["A", …]
 scene-expects_drive = um acionamento como {"{"} "angle": 70, "omega": -1 {"}"}
@@ -1111,6 +1125,9 @@ mechanism-nothing_to_solve = não há nada a resolver: o movimento de todos os e
 mechanism-add_links = acrescente elos entre os acionados, os pontos conhecidos e a base
 mechanism-over_no_slider = não há nenhum cursor {$name} com cuja posição uma carga pudesse mudar
 mechanism-over_no_zero = a posição de {$name} não se conta a partir de nenhum ponto, pelo que nenhuma carga pode mudar com ela
+mechanism-friction_no_slider = não há nenhum cursor {$name} em cuja guia pudesse haver atrito
+mechanism-the_sliders_are = os cursores são: {$names}
+mechanism-friction_no_joint = em {$point} não se unem elos, pelo que nada roça ali
 mechanism-angle_of_another = o ângulo do elo {$link} não pode substituir o do acionamento: não muda com ele
 mechanism-angle_in_drive = diga no acionamento onde ele está, ou dê o ângulo de um elo que gire com ele
 mechanism-mirror_image = elo {$link}: seus comprimentos servem para um triângulo e para sua imagem espelhada; toma-se o anti-horário {$points}. Para escolher, dê lugares aproximados dos seus pontos em `near`
@@ -1270,9 +1287,15 @@ quantity-no_line_of_joints = essa barra não tem ali duas juntas cuja linha se p
 quantity-no_normal_force = não há força transversal à guia
 quantity-not_driven = não é acionado
 quantity-not_at_pin = esse elo não tem junta nesse pino
-quantity-no_forces = as suas cargas saem do domínio dos números, ou a posição é singular
+quantity-no_forces = as suas cargas saem do domínio dos números, a posição é singular ou o atrito bloqueia-o
 quantity-nowhere_in_range = não o tem em nenhuma posição do intervalo
 quantity-no_scale_in_table = uma tabela não tem escala
+
+
+## Errors and warnings: forces
+
+forces-friction_locks = o atrito bloqueia o mecanismo nesta posição: nenhum acionamento o move neste sentido, pelo que não se mostram forças
+forces-friction_at_rest = em repouso o atrito pode ser qualquer um até ao seu limite: em {$joints} conta como nulo, e os erros indicados admitem-no todo
 
 
 ## Errors and warnings: cycle

@@ -296,6 +296,12 @@ impl Mechanism {
         joint.pin.or_else(sliding).expect("a joint of a loop holds places")
     }
 
+    /// The joints at the pin of a point.
+    pub(crate) fn joints_at_pin(&self, point: &str) -> impl Iterator<Item = JointId> {
+        let pin = self.point(point);
+        self.joint_ids().filter(move |id| pin.is_some() && self.joint(*id).pin == pin)
+    }
+
     /// The place of a joint in the frame of one of its bodies: the pin; on the guide's body the place from which the
     /// slider's position counts; on the sliding link its point. The origin in a drawn configuration.
     pub(crate) fn joint_on(&self, id: JointId, body: BodyId) -> Point {

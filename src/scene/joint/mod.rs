@@ -70,13 +70,13 @@ pub(crate) fn meaning(path: &[&str], is_key: bool) -> Option<Meaning> {
         (["ground" | "points" | "known"] | ["links", _, "shape"], true) => Meaning::Point,
         (["ground", _] | ["links", _, _] | ["links", _, "points", _], false) => Meaning::Point,
         (["links", _, "motion", "at"] | ["figure", "trace" | "velocities" | "curvature", _], false) => Meaning::Point,
-        (["forces", _, "at"] | ["springs", _, "between", _, "1"], false) => Meaning::Point,
+        (["forces", _, "at"] | ["springs", _, "between", _, "1"] | ["friction", _, "pin"], false) => Meaning::Point,
         (["forces", _, "on"] | ["springs", _, "between", _, "0"], false) => Meaning::Link,
         (["figure", "centrodes" | "inflection", _], false) => Meaning::Link,
         (["links"], true) => Meaning::Link,
         (["near"], true) => Meaning::PointOrAngle,
         (["links", _, "lengths"], true) => Meaning::PairOfLink,
-        (["figure", "labels"], true) => Meaning::OfPlan,
+        (["figure", "labels"], true) | (["friction", _, "guide"], false) => Meaning::OfPlan,
         (["want", _] | ["figure", "centers", _] | ["forces", _, "over", "of"], false) | (["form"], true) => {
             Meaning::Quantity
         }
@@ -92,7 +92,7 @@ pub(crate) fn key_order(path: &[&str]) -> Vec<&'static str> {
     match path {
         [] => {
             let before = ["$schema", "kinegon", "title", "units", "ground", "points", "known", "links"];
-            let after = ["gravity", "forces", "springs", "analysis", "near", "figure", "want", "form"];
+            let after = ["gravity", "forces", "springs", "friction", "analysis", "near", "figure", "want", "form"];
             before.into_iter().chain(JOINTS.map(|kind| kind.list)).chain(after).collect()
         }
         ["links", _] => {
@@ -101,6 +101,7 @@ pub(crate) fn key_order(path: &[&str]) -> Vec<&'static str> {
         ["forces", _] => vec!["name", "on", "at", "force", "couple", "turns", "over"],
         ["forces", _, "over"] => vec!["of", "table"],
         ["springs", _] => vec!["name", "between", "rate", "length"],
+        ["friction", _] => vec!["pin", "guide", "coefficient", "angle", "radius"],
         [.., "drive"] => vec!["angle", "omega", "rpm", "alpha", "position", "speed", "acceleration"],
         [list, _] => {
             JointKind::of_list(list).map_or(Vec::new(), |kind| kind.keys.iter().map(|(key, _)| *key).collect())
@@ -116,9 +117,9 @@ const OTHER_JOINTS: [&str; 13] = [
 ];
 
 /// Keys of what moves a mechanism.
-const FORCES: [&str; 14] = [
+const FORCES: [&str; 13] = [
     "force", "forces", "load", "loads", "torque", "torques", "mass", "masses", "inertia", "spring", "springs",
-    "damper", "dampers", "friction",
+    "damper", "dampers",
 ];
 
 /// The hint for a key of something that scenes do not have.

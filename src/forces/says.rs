@@ -1,0 +1,8 @@
+//! What warnings of forces say.
+
+use crate::message::messages;
+
+messages! { "forces":
+    friction_locks;
+    friction_at_rest(joints);
+}
