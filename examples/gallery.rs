@@ -19,7 +19,7 @@ use std::fs;
 use support::files as repository;
 
 /// Kinds of `kinegon new` in its order, their scenes, and what each teaches.
-const KINDS: [(&str, &str, &str); 24] = [
+const KINDS: [(&str, &str, &str); 26] = [
     (
         "four-bar",
         "templates/four-bar.json",
@@ -69,6 +69,16 @@ const KINDS: [(&str, &str, &str); 24] = [
         "reverted-train",
         "templates/reverted-train.json",
         "A planet with two rims between two suns, of which one is fixed.",
+    ),
+    (
+        "eccentric-cam",
+        "templates/eccentric-cam.json",
+        "A disc and a roller touch: the link between their centres moves as they do, in every position.",
+    ),
+    (
+        "flat-follower",
+        "templates/flat-follower.json",
+        "A disc on a straight face: its centre slides along a line beside the face, with a Coriolis acceleration.",
     ),
     (
         "hydraulic-boom",
@@ -137,7 +147,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 32] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 33] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -269,6 +279,13 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 32] = [
         "draw scene.json",
         "With the panels scheme and lever: the velocity plan turned by 90°, each force at the image of its point.",
         Kind::Figure(|figure| figure.panels = vec![Sheet::Scheme, Sheet::Lever]),
+    ),
+    (
+        "profiles",
+        "tests/cams/profiles.json",
+        "draw scene.json",
+        "Two profiles of which the contact alone is known, as drawn: arcs about their centres of curvature, and the link that is equivalent to them.",
+        Kind::Figure(|_| ()),
     ),
     (
         "step",

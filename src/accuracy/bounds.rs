@@ -24,7 +24,7 @@ use std::cell::OnceCell;
 /// within the bounds, and that its rates do ([`Self::is_proved`]).
 #[derive(Clone, Debug)]
 pub struct Bounds<'a> {
-    scene: &'a Scene,
+    pub(super) scene: &'a Scene,
     mechanism: &'a Mechanism,
     pose: &'a Pose,
     motion: &'a Motion,

@@ -105,7 +105,12 @@ impl Given<'_> {
             Along::Direction(d) => Some(self.vector(*d).unit()),
             Along::Degrees(angle) => Some(self.direction(*angle)),
         };
-        [through.unwrap_or_default(), direction.unwrap_or_else(|| along.into())]
+        let direction = direction.unwrap_or_else(|| along.into());
+        let mut through = through.unwrap_or_default();
+        if given.beside != 0.0 {
+            through = through.plus_scaled(direction.quarter_turn(), -self.number(given.beside));
+        }
+        [through, direction]
     }
 
     /// The direction of a guide as drawn, where `places` are the points.

@@ -14,6 +14,7 @@
 
 mod bounds;
 mod certificate;
+mod contacts;
 mod enclosure;
 mod given;
 mod locals;
@@ -27,5 +28,6 @@ mod true_number;
 
 pub(crate) use bounds::bounds_within;
 pub use bounds::{Bounds, bounds};
+pub use contacts::Contacting;
 pub(crate) use given::Room;
 pub(crate) use true_number::TrueNumber;

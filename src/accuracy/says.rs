@@ -4,6 +4,7 @@ use crate::message::messages;
 
 messages! { "accuracy":
     unproved(links);
+    pulls(contact);
     unbounded(names);
     at_limit(place, links);
     at_change(place, links);

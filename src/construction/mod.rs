@@ -45,6 +45,7 @@
 
 mod body;
 mod constructed;
+mod contact;
 mod cut;
 mod enclosed;
 mod equations;
@@ -69,6 +70,7 @@ mod turned;
 mod writer;
 
 pub use constructed::{Agreement, Construction, Extent};
+pub use contact::contacts_told;
 pub use cut::{Course, CutLine, Special, SpecialId, Term};
 pub(crate) use enclosed::Truth;
 pub use kennedy::{

@@ -26,7 +26,7 @@ impl Drive {
     /// # Errors
     /// There is no such drive, or no drive at all.
     pub fn new(mechanism: &Mechanism, name: Option<&str>) -> Result<Self, CycleError> {
-        let kernel = Kernel::new(mechanism).ok_or(CycleError::Drawn)?;
+        let kernel = moving(mechanism)?;
         let names = mechanism.drive_names();
         let input = match name {
             None if names.is_empty() => return Err(CycleError::NoDrive),
@@ -53,7 +53,7 @@ impl Drive {
     /// # Errors
     /// The configuration is drawn.
     pub fn leading(mechanism: &Mechanism) -> Result<Option<Self>, CycleError> {
-        let kernel = Kernel::new(mechanism).ok_or(CycleError::Drawn)?;
+        let kernel = moving(mechanism)?;
         let names = mechanism.drive_names().into_iter().zip(&kernel.inputs);
         let mut running = names.filter(|(_, input)| input.rate != 0.0);
         running.next().map(|(name, _)| Self::new(mechanism, Some(&name))).transpose()
@@ -178,4 +178,15 @@ pub(super) fn in_radians(kind: InputKind, change: f64) -> f64 {
         InputKind::Turning { .. } => change.to_radians(),
         InputKind::Sliding { .. } => change,
     }
+}
+
+/// The actions by which a mechanism is moved.
+///
+/// # Errors
+/// It is known in its own position alone.
+pub(super) fn moving(mechanism: &Mechanism) -> Result<Kernel, CycleError> {
+    if mechanism.is_momentary() {
+        return Err(CycleError::AtContact);
+    }
+    Kernel::new(mechanism).ok_or(CycleError::Drawn)
 }

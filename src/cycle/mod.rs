@@ -80,6 +80,8 @@ use crate::quantity::QuantityError;
 pub enum CycleError {
     /// A drawn configuration has one position.
     Drawn,
+    /// Profiles that touch are known at their contact alone.
+    AtContact,
     /// Mechanisms to be computed side by side are not of one kind: the number of the one that differs, from 0.
     NotOfOneKind(usize),
     /// The mechanism has no drive.
@@ -130,6 +132,7 @@ impl CycleError {
     pub fn problem(&self) -> Problem {
         match self {
             CycleError::Drawn => Problem::new(says::drawn()).hint(says::lengths_and_drive()),
+            CycleError::AtContact => Problem::new(says::at_contact()).hint(says::say_circular()),
             CycleError::NotOfOneKind(number) => Problem::new(says::other_kind(*number)).hint(says::same_kind()),
             CycleError::NoDrive => Problem::new(says::no_drive()).hint(says::give_drive()),
             CycleError::NoSuchDrive { name, known } => says::no_such_drive(name, known).into(),

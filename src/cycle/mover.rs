@@ -1,4 +1,4 @@
-use super::drive::{in_radians, stands};
+use super::drive::{in_radians, moving, stands};
 use super::position::regular_start;
 use super::segment::rates;
 use super::{CycleError, Position};
@@ -63,7 +63,7 @@ impl<'a> Mover<'a> {
     /// # Errors
     /// The configuration is drawn, or the position is singular.
     pub fn new(mechanism: &'a Mechanism, pose: &Pose) -> Result<Self, CycleError> {
-        let kernel = Kernel::new(mechanism).ok_or(CycleError::Drawn)?;
+        let kernel = moving(mechanism)?;
         let drives: Vec<f64> = kernel.inputs.iter().map(|input| stands(input, pose)).collect();
         let block = regular_start(&kernel, mechanism, pose, || {
             let names = mechanism.drive_names();

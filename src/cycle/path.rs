@@ -1,5 +1,5 @@
 use super::CycleError;
-use super::drive::{Drive, in_radians, ratios, shortened, snapped, stands};
+use super::drive::{Drive, in_radians, moving, ratios, shortened, snapped, stands};
 use super::position::{Position, regular_start};
 use super::segment::{Node, Segment};
 use super::together::Together;
@@ -122,7 +122,7 @@ impl<'a> Path<'a> {
 
     /// As [`Self::new`], of a mechanism that the path may own.
     pub(super) fn of(mechanism: Cow<'a, Mechanism>, pose: &Pose, drive: Drive) -> Result<Self, CycleError> {
-        let kernel = Kernel::new(&mechanism).ok_or(CycleError::Drawn)?;
+        let kernel = moving(&mechanism)?;
         let ratios = ratios(&kernel.inputs, drive.input);
         let inputs: Vec<[f64; 2]> =
             kernel.inputs.iter().zip(ratios).map(|(i, ratio)| [stands(i, pose), ratio]).collect();

@@ -5,6 +5,8 @@ use crate::message::messages;
 messages! { "cycle":
     drawn;
     lengths_and_drive;
+    at_contact;
+    say_circular;
     other_kind(number);
     same_kind;
     no_drive;

@@ -1,4 +1,4 @@
-use super::drive::{in_radians, ratios, stands};
+use super::drive::{in_radians, moving, ratios, stands};
 use super::kept::{Kept, Rates, kept_branch, run_on};
 use super::position::start;
 use super::{CycleError, Drive, Position};
@@ -44,8 +44,7 @@ impl<'a> Variants<'a> {
     /// There are not as many poses as mechanisms.
     pub fn new(mechanisms: &'a [Mechanism], poses: &[Pose]) -> Result<Self, CycleError> {
         assert_eq!(mechanisms.len(), poses.len(), "each mechanism needs its pose");
-        let kernels: Vec<Kernel> =
-            mechanisms.iter().map(Kernel::new).collect::<Option<_>>().ok_or(CycleError::Drawn)?;
+        let kernels: Vec<Kernel> = mechanisms.iter().map(moving).collect::<Result<_, _>>()?;
         let [first, ..] = &kernels[..] else { return Err(CycleError::NotOfOneKind(0)) };
         if let Some(number) = kernels.iter().position(|kernel| !kernel.is_like(first)) {
             return Err(CycleError::NotOfOneKind(number));

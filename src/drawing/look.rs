@@ -112,6 +112,8 @@ pub enum Pen {
     Beyond,
     /// A link in another position of the cycle.
     Ghost,
+    /// A link, or a pin on its guide, that moves as profiles that touch do.
+    Equivalent,
     /// A helping line of the scheme.
     Construction,
     /// A line of known direction in a plan.

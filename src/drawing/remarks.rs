@@ -3,8 +3,8 @@
 use super::context::SheetContext;
 use super::lines::Lines;
 use super::view::Series;
-use crate::construction::FigureOf;
 use crate::construction::kennedy::missing_of_centers;
+use crate::construction::{FigureOf, contacts_told};
 use crate::cycle::{Centrode, Times};
 use crate::geometry::Place;
 use crate::text::Untrusted;
@@ -103,7 +103,9 @@ fn forces(context: &SheetContext<'_>) -> Option<String> {
 
 /// The sentences on what the scheme shows of a cycle besides the position, and on inflection circles, in markup.
 pub(super) fn sentence_on_paths(context: &SheetContext<'_>) -> Option<String> {
-    let all = ticks(context).into_iter().chain(centrodes(context)).chain(inflection(context));
+    let shown = |name: &str| context.told(name, None);
+    let contacts = contacts_told(context.mechanism(), &context.words, &shown).into_iter();
+    let all = contacts.chain(ticks(context)).chain(centrodes(context)).chain(inflection(context));
     let all: Vec<String> = all.collect();
     (!all.is_empty()).then(|| all.join(" "))
 }

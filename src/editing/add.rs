@@ -281,7 +281,9 @@ fn free_name(names: &Names) -> String {
         let is_beside = |point: &String| {
             point.strip_prefix('S') == Some(number) || point.split_once('_').is_some_and(|(_, link)| link == number)
         };
-        names.links.contains_key(number) || points.iter().any(is_beside)
+        names.links.contains_key(number)
+            || names.equivalents.iter().any(|link| link == number)
+            || points.iter().any(is_beside)
     };
     let mut numbers = (1..).map(|number: usize| number.to_string());
     numbers.find(|number| !is_kept(number)).unwrap_or_default()

@@ -10,6 +10,10 @@ use crate::scene::{JOINTS, JointKind, Meaning, SceneError, pair};
 /// Removes a link, its sliders, and the points that nothing else has.
 pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneError> {
     let names = Names::of(&document.json());
+    if let Some(contact) = equivalent(&document.json(), &names, name) {
+        document.remove(&["contacts", &contact.to_string()])?;
+        return remove_named(document, &names, Named::Link, name);
+    }
     let Some(points) = names.links.get(name) else {
         return Err(no_such(document, Named::Link, name, &names.links.keys().cloned().collect::<Vec<_>>()));
     };
@@ -32,6 +36,14 @@ pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneE
     Ok(())
 }
 
+/// The contact for which a link of this name stands, by its index.
+fn equivalent(scene: &Json, names: &Names, link: &str) -> Option<usize> {
+    let contacts = scene["contacts"].as_array()?.iter().enumerate();
+    let mut of_links = contacts.filter(|(_, contact)| contact["along"].is_null()).map(|(index, _)| index);
+    let place = names.equivalents.iter().position(|name| name == link)?;
+    of_links.nth(place)
+}
+
 /// Removes a point from all links; those that are left without a second point go, unless a joint that the scene lists names them.
 pub(super) fn point(document: &mut Document<'_>, name: &str) -> Result<(), SceneError> {
     let names = Names::of(&document.json());
@@ -40,6 +52,7 @@ pub(super) fn point(document: &mut Document<'_>, name: &str) -> Result<(), Scene
     }
     remove_joints(document, Meaning::Point, name)?;
     remove_wheels(document, &names, name)?;
+    remove_faces(document, &names, name)?;
     remove_guides(document, &names, name)?;
     for (link, points) in names.links.iter().filter(|(_, points)| points.iter().any(|point| point == name)) {
         take_from_link(document, link, points, name)?;
@@ -142,6 +155,16 @@ fn remove_wheels(document: &mut Document<'_>, names: &Names, point: &str) -> Res
     };
     let is_center = |gear: &Json| has(&gear["on"]) && gear["mesh"].as_array().into_iter().flatten().any(has);
     remove_entries(document, &["gears"], &is_center)
+}
+
+/// Removes the contacts with a flat profile that goes through a point.
+fn remove_faces(document: &mut Document<'_>, names: &Names, point: &str) -> Result<(), SceneError> {
+    let is_end = |contact: &Json| {
+        let points = names.of_carrier(contact["links"][1].as_str().unwrap_or_default());
+        let ends = contact["along"].as_str().and_then(|key| pair(key, points));
+        ends.is_some_and(|(from, to)| from == point || to == point)
+    };
+    remove_entries(document, &["contacts"], &|contact| contact["through"] == *point || is_end(contact))
 }
 
 /// Removes entries of the list at a path, if there is a list.

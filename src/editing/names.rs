@@ -28,8 +28,12 @@ pub(super) struct Names {
     pub ground: Vec<String>,
     /// The points of each link.
     pub links: IndexMap<String, Vec<String>>,
+    /// The names that contacts give to their equivalent links.
+    pub equivalents: Vec<String>,
     /// By slider: what carries its guide.
     on: Vec<String>,
+    /// By contact: the body with its flat profile.
+    faces: Vec<String>,
     /// Points with coordinates in a drawn scene; `None` for a scene from lengths.
     pub drawn: Option<Vec<String>>,
 }
@@ -39,7 +43,15 @@ impl Names {
     pub fn of(scene: &Json) -> Names {
         let links = scene["links"].as_object().into_iter().flatten().filter(|(name, _)| *name != "note");
         let sliders = scene["sliders"].as_array().into_iter().flatten();
+        let contacts = || scene["contacts"].as_array().into_iter().flatten();
+        let usual = |index: usize| format!("E{}", index + 1);
+        // A flat profile needs no equivalent link.
+        let named = contacts().enumerate().filter(|(_, contact)| contact["along"].is_null());
         Names {
+            equivalents: named
+                .map(|(index, contact)| contact["name"].as_str().map_or_else(|| usual(index), str::to_owned))
+                .collect(),
+            faces: contacts().map(|contact| contact["links"][1].as_str().unwrap_or_default().to_owned()).collect(),
             ground: keys_or_list(&scene["ground"]),
             links: links.map(|(name, link)| (name.clone(), points_of(link))).collect(),
             on: sliders.map(|slider| slider["on"].as_str().unwrap_or_default().to_owned()).collect(),
@@ -71,8 +83,14 @@ impl Names {
 
     /// What carries the guide of the slider of that index.
     pub fn carrier(&self, slider: &str) -> &str {
-        let index: Option<usize> = slider.parse().ok();
-        index.and_then(|index| self.on.get(index)).map_or("", String::as_str)
+        self.carrier_in("sliders", slider)
+    }
+
+    /// What carries the guide, or the flat profile, of the joint of that index in a list.
+    fn carrier_in(&self, list: &str, joint: &str) -> &str {
+        let index: Option<usize> = joint.parse().ok();
+        let all = if list == "contacts" { &self.faces } else { &self.on };
+        index.and_then(|index| all.get(index)).map_or("", String::as_str)
     }
 }
 
@@ -125,7 +143,7 @@ pub(super) fn rename(document: &mut Document<'_>, what: Named, from: &str, to: &
 fn check(document: &Document<'_>, names: &Names, what: Named, from: &str, to: &str) -> Result<(), SceneError> {
     let (there, all) = match what {
         Named::Point => (says::point_there(to), names.points()),
-        Named::Link => (says::link_there(to), names.links.keys().cloned().collect()),
+        Named::Link => (says::link_there(to), names.links.keys().chain(&names.equivalents).cloned().collect()),
     };
     if !all.iter().any(|name| name == from) {
         return Err(no_such(document, what, from, &all));
@@ -183,7 +201,7 @@ impl<'a> Renamer<'a> {
             (Meaning::OfPlan, _) => self.plan_name(word),
             (Meaning::Quantity, _) => self.quantity(word),
             (Meaning::PairOfLink, Named::Point) => self.pair(path[1], word),
-            (Meaning::PairOfGuide, Named::Point) => self.pair(self.names.carrier(path[1]), word),
+            (Meaning::PairOfGuide, Named::Point) => self.pair(self.names.carrier_in(path[0], path[1]), word),
             (Meaning::PointOrAngle, Named::Link) => (word == angle(self.from)).then(|| angle(self.to)),
             (Meaning::Point | Meaning::PointOfGuide | Meaning::PointOrAngle, Named::Point) => {
                 is(word).then(|| self.to.to_owned())

@@ -1,7 +1,7 @@
 //! What the sheets of a student and of a teacher have beside the figure: the given numbers in sentences, and the rows of the key.
 
 use crate::check::{BANDS, asked_names};
-use crate::construction::Solution;
+use crate::construction::{Solution, contacts_told, display};
 use crate::drawing::{Drawing, KeyRow, drawing_sheets};
 use crate::quantity::{Pencil, QuantityKind, QuantityRequest};
 use crate::scene::{Along, At, GivenBy, On, Scene, Shape};
@@ -88,7 +88,8 @@ pub(super) fn sentences(solution: &Solution, scales: &Scales) -> Vec<String> {
     let balance = (!forces.is_empty()).then(|| language.exercise_forces(&listed(&[scheme, forces].concat())));
     let lever = (!levers.is_empty()).then(|| language.exercise_lever(&listed(&levers)));
     let given = std::iter::once(language.exercise_given(&listed(&all)));
-    given.chain(find).chain(draw).chain(balance).chain(lever).collect()
+    let contacts = contacts_told(&solution.mechanism, words, &display);
+    given.chain(contacts).chain(find).chain(draw).chain(balance).chain(lever).collect()
 }
 
 /// A list that can be broken into lines between its items only.

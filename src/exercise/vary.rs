@@ -52,6 +52,10 @@ pub fn each_number(scene: &mut Value, change: &mut dyn FnMut(Number, f64) -> f64
     for slider in sliders.into_iter().flatten() {
         drive(slider.get_mut("drive"), change);
     }
+    let contacts = scene.get_mut("contacts").and_then(Value::as_array_mut);
+    for contact in contacts.into_iter().flatten() {
+        within(contact.get_mut("radii"), Number::Length, change);
+    }
     let forces = scene.get_mut("forces").and_then(Value::as_array_mut);
     for load in forces.into_iter().flatten() {
         for (key, number) in [("at", Number::Length), ("force", Number::Load), ("couple", Number::Load)] {

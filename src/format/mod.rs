@@ -4,6 +4,7 @@
 
 #[cfg(feature = "arrow")]
 mod columns;
+mod contacts;
 #[doc(hidden)] // for tests
 pub mod digits;
 mod feedback;
@@ -28,6 +29,7 @@ mod workbench;
 
 #[cfg(feature = "arrow")]
 pub use self::columns::{ColumnFormat, Columns};
+pub use self::contacts::ContactResult;
 #[doc(inline)]
 pub use self::digits::DigitRow;
 pub use self::feedback::{FEEDBACK_MARK, feedback_html, html_text};

@@ -1,5 +1,6 @@
+use super::contacts::ContactResult;
 use super::forces::ForcesResult;
-use crate::accuracy::says::unbounded;
+use crate::accuracy::says::{pulls, unbounded};
 use crate::accuracy::{Bounds, bounds};
 use crate::centers::Center;
 use crate::construction::{Solution, coincident_name};
@@ -47,6 +48,9 @@ pub struct ResultFile {
     /// What joints carry and drives need; only of a scene with loads.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub forces: Option<ForcesResult>,
+    /// By the bodies that touch, as `1/3`; of further contacts of the same two, `1/3#2`.
+    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
+    pub contacts: IndexMap<String, ContactResult>,
     /// By name, as in `P(1,3)`: the instant centres that the scene's `want` asks for; null where the links rest on one another, or no place can be found.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub centers: IndexMap<String, Option<CenterResult>>,
@@ -384,6 +388,10 @@ impl Solution {
                 modes: pose.assemblies[index].map(|a| a.modes),
             }
         });
+        let forces = self.forces();
+        let contacts = ContactResult::all(self, forces.as_ref(), bounds);
+        let pulling = contacts.iter().filter(|(_, contact)| contact.pulls()).map(|(name, _)| pulls(name).to_string());
+        let pulling: Vec<String> = pulling.collect();
         ResultFile {
             kinegon: 1,
             units: ResultUnits::of(scene.units),
@@ -394,10 +402,11 @@ impl Solution {
             groups: groups.collect(),
             quantities: IndexMap::new(),
             quantity_errors: IndexMap::new(),
-            forces: self.forces().map(|forces| ForcesResult::new(self, &forces, bounds)),
+            forces: forces.map(|forces| ForcesResult::new(self, &forces, bounds)),
+            contacts,
             centers: IndexMap::new(),
             pencil: None,
-            warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).collect(),
+            warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).chain(pulling).collect(),
             notes: told_turning_back(self, &Wording::default()),
         }
     }

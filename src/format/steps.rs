@@ -1,6 +1,6 @@
 use crate::construction::{
-    Action, CurvatureStep, ForceStep, NOTHING, NumberedStep, Solution, Teller, Tolerance, display, plain_text,
-    shown_text,
+    Action, CurvatureStep, ForceStep, NOTHING, NumberedStep, Solution, Teller, Tolerance, contacts_told, display,
+    plain_text, shown_text,
 };
 use crate::drawing::drawn_vector;
 use crate::geometry::{Vector, degrees_of};
@@ -36,6 +36,10 @@ impl Solution {
         }
         list.scales_line();
         list.pencil_lines();
+        let shown = |name: &str| display(name);
+        for said in contacts_told(&self.mechanism, &words, &shown) {
+            list.line(&shown_text(&said, None, &words));
+        }
         let mut sheet = None;
         for step in construction.numbered_steps() {
             if sheet.replace(step.sheet) != Some(step.sheet) {

@@ -1,6 +1,6 @@
 use super::drives::{link_angle_for_drive, places_from_drives, role};
 use super::group::group;
-use super::joint::{add_given, add_pins, unlike_wheels};
+use super::joint::{add_given, add_pins, held_here_alone, refresh_contacts, unlike_wheels};
 use super::says;
 use super::shape::{Side, local_points};
 use super::structure::{Edge, Structure, structure};
@@ -45,6 +45,7 @@ pub fn mechanism_with(
     mechanism.warnings.extend(far_origin_warning(scene));
     add(&mut mechanism);
     mechanism.warnings.extend(unlike_wheels(&mechanism));
+    mechanism.warnings.extend(held_here_alone(&mechanism));
     check_gauges(scene, &mechanism)?;
     let given_angle = link_angle_for_drive(scene)?;
     let unpinned = given_angle.map(|_| mechanism.clone());
@@ -94,6 +95,7 @@ pub(crate) fn renumber(mechanism: &mut Mechanism, scene: &Scene) -> Option<()> {
             (*angle, *omega, *alpha) = (drive.angle_deg, drive.omega, drive.alpha);
         }
     }
+    refresh_contacts(scene, mechanism);
     Some(())
 }
 
@@ -247,7 +249,8 @@ fn add_carriage(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
     for (on, link, through, direction, turned) in slides {
         let through = through.unwrap_or_else(Point::origin);
         let guide = Guide::Local { through, direction };
-        mechanism.add_slider(Slider { link, at, on, guide, counted_from: None, turned, drive: None });
+        let slider = Slider { link, at, on, guide, counted_from: None, turned, drive: None, is_contact: false };
+        mechanism.add_slider(slider);
     }
 }
 

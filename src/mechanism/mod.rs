@@ -27,7 +27,10 @@ pub use build::mechanism;
 pub use build::mechanism_with;
 pub(crate) use build::{mirrored_mechanism, renumber};
 pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};
-pub use joint::{AngularConstraint, Belt, DrivenSlide, Guide, Joint, Mark, Pitch, Rack, Rolling, Slider, Travel};
+pub use joint::{
+    AngularConstraint, Belt, Contact, DrivenSlide, Guide, Joint, Mark, Pitch, Rack, Rolling, Slider, Touch, Touching,
+    Travel,
+};
 pub use loops::{
     AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate, TravelTerms, Travelling,
 };
@@ -71,6 +74,8 @@ pub struct Mechanism {
     pub sliders: Vec<Slider>,
     /// The joints between bodies; a pin through n bodies counts as n − 1 joints.
     pub joints: Vec<Joint>,
+    /// The profiles that touch, which move as links or sliders among these do.
+    pub contacts: Vec<Contact>,
     /// The Assur groups in the order in which they can be solved.
     pub groups: Vec<Group>,
     /// How positions are found where a link's angle is given in place of a drive's position; `None` if every drive has

@@ -37,6 +37,9 @@ messages! { "mechanism":
     other_teeth;
     two_radii(link, teeth, first, second);
 
+    // Contacts.
+    holds_here_alone(first, second);
+
     // Drives.
     one_ground_point(link, count);
     list_pivot;

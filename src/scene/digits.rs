@@ -72,6 +72,20 @@ impl Digits {
         }
     }
 
+    /// The sum of two numbers of the text, as it is with all their digits: it counts as one of the text's own.
+    pub fn sum(&mut self, [a, b]: [f64; 2]) -> f64 {
+        let balls = [self.ball(a), self.ball(b)];
+        let ball = match balls.iter().all(|ball| ball.low == 0.0 && ball.radius == 0.0) {
+            true => Ball::difference(a, -b),
+            false => balls[0] + balls[1],
+        };
+        let x = ball.high;
+        if ball != Ball::decimal(x) {
+            self.add(x, Given { ball, is_printed: false });
+        }
+        x
+    }
+
     /// The number that was read as `x`; that which `x` is printed as, where the text has no such number.
     pub fn ball(&self, x: f64) -> Ball {
         match self.0.get(&key(x)) {

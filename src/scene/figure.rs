@@ -14,7 +14,7 @@ use super::choices::{
 };
 use super::error::{Wrong, list, number, shortened};
 use super::given::GivenBy;
-use super::joint::Slider;
+use super::joint::{Contact, Slider};
 use super::names::Names;
 use super::says;
 use super::schema::without_defaults;
@@ -251,9 +251,31 @@ pub(crate) fn figure_keys(figure: &Figure) -> Map<String, Json> {
 /// How many ghosts a figure may have.
 const GHOSTS: RangeInclusive<usize> = 2..=72;
 
+/// Whether a scene can be followed to other positions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Movable {
+    /// It can.
+    Everywhere,
+    /// It is drawn, and stands as it is.
+    Drawn,
+    /// Profiles that touch are known at their contact alone.
+    AtContact,
+}
+
+impl Movable {
+    /// Whether a scene that is given so, with these contacts, can be followed.
+    pub fn of(given_by: GivenBy, contacts: &[Contact]) -> Movable {
+        match given_by {
+            GivenBy::Drawing => Movable::Drawn,
+            GivenBy::Lengths if contacts.iter().all(|contact| contact.is_circular) => Movable::Everywhere,
+            GivenBy::Lengths => Movable::AtContact,
+        }
+    }
+}
+
 /// Refuses paths of what is no point of a moving link, and paths and ghosts where nothing can be moved.
 pub(super) fn check_traced(
-    given_by: GivenBy,
+    movable: Movable,
     names: &Names<'_>,
     sliders: &[Slider],
     figure: &Figure,
@@ -285,8 +307,12 @@ pub(super) fn check_traced(
         (None, None, Some(_)) => ("ghosts", says::drawn_has_no_ghosts(), says::no_drive_no_ghosts()),
         (None, None, None) => return Ok(()),
     };
-    if given_by == GivenBy::Drawing {
-        return Err(Wrong::value(&[key], drawn).hint(says::lengths_and_drive()));
+    match movable {
+        Movable::Drawn => return Err(Wrong::value(&[key], drawn).hint(says::lengths_and_drive())),
+        Movable::AtContact => {
+            return Err(Wrong::value(&[key], says::at_contact_alone()).hint(says::say_circular()));
+        }
+        Movable::Everywhere => {}
     }
     let is_driven = names.links.values().any(|link| link.drive.is_some()) || sliders.iter().any(|s| s.drive.is_some());
     if !is_driven {

@@ -39,6 +39,8 @@ templates! {
     "differential" in "templates" as "differential",
     "reverted-train" in "templates" as "reverted-train",
     "geared-five-bar" in "templates" as "geared-five-bar",
+    "eccentric-cam" in "templates" as "eccentric-cam",
+    "flat-follower" in "templates" as "flat-follower",
     "third-class" in "templates" as "third-class",
     "fourth-class" in "templates" as "fourth-class",
     "platform-3rrr" in "templates" as "platform-3rrr",

@@ -11,6 +11,7 @@
 //! CONTRIBUTING.md has the whole list.
 
 mod build;
+mod build_contacts;
 mod build_loads;
 mod centers;
 mod choices;
@@ -39,6 +40,7 @@ mod value;
 mod write;
 
 pub use build::{Builder, Guide, Mesh, NewLink, Push, Turn};
+pub use build_contacts::Profiles;
 pub use build_loads::{NewLoad, NewSpring};
 pub use centers::CentersShown;
 pub use choices::{

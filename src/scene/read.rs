@@ -8,9 +8,9 @@ use super::centers::check_centers;
 use super::choices::{FrameName, Units};
 use super::digits::Digits;
 use super::error::{SceneError, Source, Wrong};
-use super::figure::{Figure, check_traced};
+use super::figure::{Figure, Movable, check_traced};
 use super::given::{GivenBy, PointMotion};
-use super::joint::{Gear, GearFile, Slider, SliderFile, gears, sliders};
+use super::joint::{Contact, ContactFile, Gear, GearFile, Slider, SliderFile, contacts, faces, gears, sliders};
 use super::link::{Link, LinkFile, links};
 use super::friction::FrictionFile;
 use super::loads::{Analysis, LoadFields, LoadFile, Loads, SpringFile, loads};
@@ -52,6 +52,8 @@ pub(super) struct SceneFile {
     pub sliders: Option<Vec<SliderFile>>,
     /// Pairs of wheels that mesh.
     pub gears: Option<Vec<GearFile>>,
+    /// Profiles that touch, as those of a cam and its follower.
+    pub contacts: Option<Vec<ContactFile>>,
     /// The acceleration of free fall, in length per time²; left out: zero.
     pub gravity: Option<Vector>,
     /// Forces and couples on links.
@@ -89,6 +91,7 @@ write_keys!(SceneFile {
     links,
     sliders,
     gears,
+    contacts,
     gravity,
     forces,
     springs,
@@ -124,6 +127,8 @@ pub struct Scene {
     pub sliders: Vec<Slider>,
     /// The pairs of wheels that mesh.
     pub gears: Vec<Gear>,
+    /// The profiles that touch, each with a link or a slider of its own among the others.
+    pub contacts: Vec<Contact>,
     /// Masses, forces, springs and friction; none where the scene gives none of the first three.
     pub loads: Option<Box<Loads>>,
     /// Approximate positions that choose the assembly mode; not in a drawn configuration.
@@ -271,7 +276,7 @@ impl Scene {
     pub fn check_traced(&self, trace: &[String], ghosts: Option<usize>) -> Result<(), SceneError> {
         let names = Names::new(&self.ground, &self.links);
         let figure = Figure { trace: trace.to_vec(), ghosts, ..Figure::default() };
-        check_traced(self.given_by, &names, &self.sliders, &figure).map_err(Wrong::without_place)
+        check_traced(self.movable(), &names, &self.sliders, &figure).map_err(Wrong::without_place)
     }
 
     /// Whether paths, ghosts, centrodes, inflection circles, instant centres and velocities by them that the figure asks for can be drawn.
@@ -280,8 +285,13 @@ impl Scene {
     /// The first that cannot; its path begins with the figure's key, as `centrodes.0`, and it has no place in the text.
     pub fn check_shown(&self) -> Result<(), SceneError> {
         let (names, figure) = (Names::new(&self.ground, &self.links), &self.figure);
-        let traced = check_traced(self.given_by, &names, &self.sliders, figure);
+        let traced = check_traced(self.movable(), &names, &self.sliders, figure);
         traced.and_then(|()| check_centers(&names, figure)).map_err(Wrong::without_place)
+    }
+
+    /// Whether it can be followed to other positions.
+    fn movable(&self) -> Movable {
+        Movable::of(self.given_by, &self.contacts)
     }
 
     /// Whether the frame can be called by the number that the figure gives it.
@@ -340,13 +350,16 @@ fn check_form(form: Option<&IndexMap<String, f64>>) -> Result<(), Wrong> {
 }
 
 /// Checks the parts of the file, in the order in which errors are reported.
-fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
+fn check(file: SceneFile, text: &str, mut digits: Digits) -> Result<Scene, Wrong> {
     let given_by = if file.points.is_some() { GivenBy::Drawing } else { GivenBy::Lengths };
-    let (links, of_links) = links(given_by, file.units.time, file.links)?;
+    let (mut links, of_links) = links(given_by, file.units.time, file.links)?;
     let (ground, coordinates) = ground(given_by, file.ground, file.points)?;
+    let touching = file.contacts.unwrap_or_default();
+    let touching = contacts(given_by, &ground, &coordinates, &mut links, &mut digits, touching)?;
     let names = Names::new(&ground, &links);
     check_points(given_by, &names, &coordinates)?;
-    let sliders = sliders(given_by, &names, &coordinates, file.sliders.unwrap_or_default(), of_links.pushes)?;
+    let mut sliders = sliders(given_by, &names, &coordinates, file.sliders.unwrap_or_default(), of_links.pushes)?;
+    let contacts = faces(given_by, &names, &coordinates, &mut sliders, touching)?;
     let is_drawn = given_by == GivenBy::Drawing;
     let gears = gears(is_drawn, &names, &coordinates, &sliders, file.gears.unwrap_or_default())?;
     let known = known(given_by, &names, file.known)?;
@@ -371,7 +384,8 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
         return Err(Wrong::key(&["figure", "panels"], says::no_force_plan_of_wheels()).hint(says::take_lever()));
     }
     figure.check().and_then(|()| check_frame(&links, &figure)).map_err(|wrong| wrong.inside(&["figure"]))?;
-    check_traced(given_by, &names, &sliders, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
+    check_traced(Movable::of(given_by, &contacts), &names, &sliders, &figure)
+        .map_err(|wrong| wrong.inside(&["figure"]))?;
     check_centers(&names, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_form(file.form.as_ref())?;
     if let Some(hints) = file.hints.filter(|hints| *hints > MOST_HINTS) {
@@ -387,6 +401,7 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
         links,
         sliders,
         gears,
+        contacts,
         loads,
         near,
         figure,

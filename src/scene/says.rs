@@ -294,6 +294,34 @@ messages! { "scene":
     no_force_plan_of_wheels;
     take_lever;
 
+    // Contacts.
+    two_touch(count);
+    touches_itself(body);
+    through_without_face;
+    give_face;
+    one_center_of_face(count);
+    face_has_no_center;
+    two_centers(count);
+    center_or_face;
+    center_on_body;
+    center_of_both(first, second);
+    face_without_link;
+    flat_roller;
+    give_radii;
+    radii_as_centers(wanted, count);
+    hollow_on_face;
+    turn_face;
+    two_hollows;
+    hollow_and_round;
+    give_roller;
+    centers_in_one_place;
+    hollow_smaller(hollow, round);
+    hollow_larger;
+    radii_not_as_drawn(first, second, distance, radii);
+    radii_as_drawn;
+    equivalent_taken(link);
+    name_equivalent;
+
     // Masses and loads.
     mass_and_weight(link);
     without_mass(link, key);
@@ -358,6 +386,8 @@ messages! { "scene":
     drawn_has_no_centrodes(link);
     drawn_has_no_ghosts;
     lengths_and_drive;
+    at_contact_alone;
+    say_circular;
     no_drive_no_path(point);
     no_drive_no_centrodes(link);
     no_drive_no_ghosts;
@@ -400,6 +430,7 @@ messages! { "scene":
     expects_link_motion;
     expects_slider;
     expects_gear;
+    expects_contact;
     expects_teeth;
     expects_scene;
     expects_figure;

@@ -3,7 +3,7 @@
 use super::file::Range;
 use crate::geometry::Random;
 use crate::quantity::QuantityKind;
-use crate::scene::{Scene, Shape, TimeUnit, Units};
+use crate::scene::{Equivalent, Scene, Shape, TimeUnit, Units};
 use std::f64::consts::{PI, TAU};
 
 /// A number of a scene, by its place in it.
@@ -42,7 +42,12 @@ pub(super) fn numbers(scene: &Scene) -> Vec<Named> {
             add(format!("{point}.{letter}"), format!("ground.{point}.{axis}"), Number::Ground(index, axis));
         }
     }
-    for (index, (link, of)) in scene.links.iter().enumerate() {
+    let is_equivalent = |link: &str| {
+        let mut contacts = scene.contacts.iter();
+        contacts.any(|contact| matches!(&contact.equivalent, Equivalent::Link { name, .. } if name == link))
+    };
+    let written = scene.links.iter().enumerate().filter(|(_, (link, _))| !is_equivalent(link));
+    for (index, (link, of)) in written {
         match &of.shape {
             Shape::Bare => {}
             Shape::Lengths(lengths) => {

@@ -174,6 +174,10 @@ paths = Marken auf der Bahn von {$points}: alle {$step} des Antriebs {$drive}.
 paths_in_time = Marken auf der Bahn von {$points}: alle {$step} des Antriebs {$drive}, das heißt alle {$time}.
 path_of = Bahn von {$point} in {$unit}
 mode = Lage {$number}
+contact_link = Glied {$link} ersetzt die Berührung von {$first} und {$second}: es verbindet ihre Krümmungsmittelpunkte {$from} und {$to}.
+contact_face = Ein Zapfen in {$center}, dem Krümmungsmittelpunkt von {$first}, der entlang der ebenen Fläche von {$second} gleitet, ersetzt ihre Berührung.
+contact_here = Das gilt nur in dieser Stellung.
+equivalent = {$link} (Ersatz)
 modes_left_out = Von den anderen Einbaulagen sind nur die ersten {$count} gezeichnet.
 centrodes = Polbahnen von Glied {$links}, nahe am Mechanismus: Rastpolbahn ausgezogen, Gangpolbahn gestrichelt.
 no_centrodes = Glied {$links} dreht sich um einen festen Punkt oder gar nicht: es hat keine Polbahnen.
@@ -767,6 +771,8 @@ scene-negative_size = der Betrag ist {$size}; ein Betrag ist nicht negativ: dreh
 scene-no_page = es gibt kein Papierformat "{$name}"
 scene-no_unit = es gibt keine Längeneinheit "{$name}"
 scene-did_you_mean = meinten Sie `{$name}`?
+scene-joints_out_of_scope = Glieder sind durch Drehgelenke, gerade Schubgelenke (`sliders`), Räder, Zahnstangen und Riemen (`gears`) und Profile, die sich berühren, wie die von Kurvenscheiben (`contacts`), verbunden
+scene-forces_out_of_scope = Bewegungen folgen aus den Antrieben: Kräfte, Massen, Federn und Reibung gehören nicht dazu
 scene-joints_out_of_scope = Glieder sind durch Drehgelenke, gerade Schubgelenke, Zahnradpaare, Zahnstangen und Riemen verbunden: Kurvenscheiben gehören nicht dazu
 scene-forces_out_of_scope = Lasten sind `mass`, `inertia` und `center` eines Gliedes sowie `gravity`, `forces`, `springs` und `friction` der Szene; Dämpfer gibt es nicht
 
@@ -958,6 +964,32 @@ scene-no_forces_of_belts = wie stark ein Riemen gespannt ist, ist nicht bekannt;
 scene-remove_belts_or_loads = entfernen Sie Massen, `gravity`, `forces` und `springs` aus der Szene, oder ihre Riemen
 scene-no_force_plan_of_wheels = der Kräfteplan hat keine Zahnkräfte: bei einem Mechanismus mit Rädern schlössen sich seine Polygone nicht
 scene-take_lever = lassen Sie das Feld "forces" weg: die Ergebnisse enthalten, was Zähne, Gelenke und Antriebe tragen, und "lever" findet das Drehmoment
+scene-two_touch = eine Berührung ist zwischen zwei Körpern, nicht {$count}
+scene-touches_itself = {$body} kann sich nicht selbst berühren
+scene-through_without_face = `through` ist eine Stelle auf einem ebenen Profil, aber das zweite ist rund
+scene-give_face = geben Sie die Richtung des ebenen Profils als `along` an, oder lassen Sie `through` weg
+scene-one_center_of_face = ein rundes Profil auf einem ebenen hat einen Krümmungsmittelpunkt, nicht {$count}
+scene-face_has_no_center = nennen Sie nur den Mittelpunkt des ersten Profils; wo beide rund sind, lassen Sie `along` weg
+scene-two_centers = zwei runde Profile haben zwei Krümmungsmittelpunkte, nicht {$count}
+scene-center_or_face = nennen Sie einen Punkt jedes Körpers; von einem ebenen Profil geben Sie die Richtung als `along` an
+scene-center_on_body = ein Krümmungsmittelpunkt ist ein Punkt des Körpers, zu dem das Profil gehört, in der Reihenfolge von `links`
+scene-center_of_both = ein Krümmungsmittelpunkt ist ein Punkt von beiden, {$first} und {$second}: sie wären dort verbunden
+scene-face_without_link = ein Zapfen auf einem ebenen Profil braucht kein Ersatzglied, also ist keines zu benennen
+scene-flat_roller = eine Rolle ist rund, aber nach `along` ist das zweite Profil eben
+scene-give_radii = geben Sie die Krümmungsradien in der Reihenfolge von `centers` an, als "radii": [40, 10]
+scene-radii_as_centers = es braucht so viele Radien wie Mittelpunkte: {$wanted}, nicht {$count}
+scene-hollow_on_face = ein hohles Profil berührt kein ebenes
+scene-turn_face = der Radius ist positiv; für die andere Seite der Ebene drehen Sie `along` um 180
+scene-two_hollows = zwei hohle Profile können sich nicht berühren
+scene-hollow_and_round = nur der Radius eines hohlen Profils ist negativ, und das andere liegt in ihm
+scene-give_roller = der zweite Radius ist der der Rolle
+scene-centers_in_one_place = mit diesen Radien liegen beide Mittelpunkte an einer Stelle
+scene-hollow_smaller = ein rundes Profil mit dem Radius {$round} liegt nicht in einem hohlen mit dem Radius {$hollow}
+scene-hollow_larger = das hohle Profil hat den größeren Radius, mit einem Minus davor
+scene-radii_not_as_drawn = {$first} und {$second} sind {$distance} voneinander entfernt gezeichnet, aber die Radien ergeben {$radii}
+scene-radii_as_drawn = die Summe der Radien ist der Abstand der Mittelpunkte; eine Zeichnung kommt ohne Radien aus
+scene-equivalent_taken = das Ersatzglied würde {$link} heißen, aber es gibt ein Glied dieses Namens
+scene-name_equivalent = geben Sie ihm einen anderen `name`
 
 # Masses and loads.
 
@@ -1025,6 +1057,8 @@ scene-drawn_has_no_path = eine gezeichnete Stellung lässt sich nicht bewegen, a
 scene-drawn_has_no_centrodes = eine gezeichnete Stellung lässt sich nicht bewegen, also hat Glied {$link} keine Polbahnen
 scene-drawn_has_no_ghosts = eine gezeichnete Stellung lässt sich nicht bewegen, also gibt es keine anderen Stellungen zu zeichnen
 scene-lengths_and_drive = eine Szene mit `lengths` oder `shape` und einem Antrieb mit seinem `angle` oder `position`
+scene-at_contact_alone = die Profile, die sich berühren, sind nur an ihrer Berührung bekannt, also gibt es keine andere Stellung
+scene-say_circular = schreiben Sie "circular": true in die Berührung, wenn beide Profile Kreise um diese Mittelpunkte sind, oder ein Kreis und eine Gerade
 scene-no_drive_no_path = kein Antrieb bewegt den Mechanismus, also hat Punkt {$point} keine Bahn
 scene-no_drive_no_centrodes = kein Antrieb bewegt den Mechanismus, also hat Glied {$link} keine Polbahnen
 scene-no_drive_no_ghosts = kein Antrieb bewegt den Mechanismus, also gibt es keine anderen Stellungen zu zeichnen
@@ -1069,6 +1103,7 @@ scene-expects_motion = eine Bewegung wie {"{"} "velocity": [x, y], "acceleration
 scene-expects_link_motion = eine Bewegung wie {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = ein Schieber wie {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_gear = ein Zahnradpaar wie {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
+scene-expects_contact = eine Berührung als {"{"} "links": ["1", "3"], "centers": ["K", "C"], "radii": [40, 10] {"}"}
 scene-expects_teeth = eine Zähnezahl, oder "rack"
 scene-expects_scene = eine Szene wie {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = ein Bild wie {"{"} "panels": ["scheme", "velocity"] {"}"}
@@ -1101,6 +1136,7 @@ mechanism-make_revolute = machen Sie eines der Schubgelenke zum Drehgelenk
 mechanism-train_without_ratio = aus den Zähnezahlen folgen die Winkel der Glieder {$links} nicht: die Räder drehen sich gleich, was auch der Steg tut, so dass nichts ihn antreibt
 mechanism-other_teeth = geben Sie andere Zähnezahlen an, so dass die Standübersetzung nicht 1 ist, oder treiben Sie den Steg an
 mechanism-two_radii = Rad {$link} mit {$teeth} Zähnen hätte zwei Wälzkreisradien, {$first} und {$second}: prüfen Sie Zähnezahlen und Achsabstände
+mechanism-holds_here_alone = die Berührung von {$first} und {$second} ist nur in dieser Stellung bekannt: ihr Ersatzgetriebe gibt hier Geschwindigkeiten, Beschleunigungen und Kräfte, und anderswo nichts
 
 # Too few or too many constraints.
 
@@ -1211,6 +1247,7 @@ motion-at_infinity = im Unendlichen (Führungen in {$first} und {$second})
 ## Errors and warnings: accuracy
 
 accuracy-unproved = Glieder {$links}: über ihre Stellung oder Bewegung ist nichts bewiesen, daher haben ihre Zahlen keine Fehlerangabe
+accuracy-pulls = die Profile der Berührung {$contact} müssten hier aneinander ziehen: sie trennen sich, wenn nichts sie zusammenhält
 accuracy-unbounded = {$names}: für den Fehler lässt sich keine Schranke angeben, weil das, woraus sie abgelesen werden, null sein kann oder Geraden parallel sein können
 accuracy-at_limit = Grenzlage bei {$place}: Glieder {$links} kommen nicht weiter; ihre Geschwindigkeiten und Beschleunigungen wachsen unbegrenzt, daher haben ihre Zahlen keine Fehlerangabe
 accuracy-at_change = Verzweigungslage bei {$place}: Glieder {$links} könnten auch in anderer Einbaulage weiterlaufen, daher sind ihre Geschwindigkeiten nicht bestimmt und ihre Zahlen haben keine Fehlerangabe
@@ -1266,6 +1303,8 @@ forces-friction_leaves_open = in Ruhe kann die Reibung alles bis zu ihrer Grenze
 
 cycle-drawn = eine gezeichnete Stellung lässt sich nicht bewegen: sie hat keine Längen
 cycle-lengths_and_drive = eine Szene mit `lengths` oder `shape` und einem Antrieb mit seinem `angle` oder `position`
+cycle-at_contact = die Profile, die sich berühren, sind nur an ihrer Berührung bekannt, also lässt sich das Getriebe nicht bewegen
+cycle-say_circular = "circular": true in der Berührung, wenn beide Profile Kreise um diese Mittelpunkte sind, oder ein Kreis und eine Gerade
 cycle-other_kind = Mechanismus {$number} ist nicht von der Art von Mechanismus 0
 cycle-same_kind = dieselben Glieder, Gelenke und Antriebe in derselben Reihenfolge; nur Längen, Orte und Antriebe dürfen sich unterscheiden
 cycle-no_drive = es gibt keinen Antrieb, der zu bewegen wäre

@@ -186,6 +186,10 @@ paths_in_time = Ticks on the path of {$points}: every {$step} of drive {$drive},
 path_of = Path of {$point} in {$unit}
 # At another assembly mode.
 mode = mode {$number}
+contact_link = Link {$link} is equivalent to the contact of {$first} and {$second}: it joins their centres of curvature {$from} and {$to}.
+contact_face = A pin in {$center}, the centre of curvature of {$first}, that slides along the flat face of {$second} is equivalent to their contact.
+contact_here = That holds in this position alone.
+equivalent = {$link} (equivalent)
 modes_left_out = Of the other assembly modes only the first {$count} are drawn.
 # What is drawn of a path on other branches of the motion.
 centrodes = Centrodes of link {$links}, near the mechanism: full in the frame, dashed in the link.
@@ -796,6 +800,8 @@ scene-negative_size = size is {$size}; a size is not negative: turn the angle by
 scene-no_page = there is no page "{$name}"
 scene-no_unit = there is no unit of length "{$name}"
 scene-did_you_mean = did you mean `{$name}`?
+scene-joints_out_of_scope = links are joined by pins, straight sliders (`sliders`), wheels, racks and belts (`gears`), and profiles that touch, as those of cams (`contacts`)
+scene-forces_out_of_scope = motions follow from the drives: forces, masses, springs and friction are out of scope
 scene-joints_out_of_scope = links are joined by pins, straight sliders, gear pairs, racks and belts: cams are out of scope
 scene-forces_out_of_scope = loads are `mass`, `inertia` and `center` of a link, and `gravity`, `forces`, `springs` and `friction` of the scene; there are no dampers
 
@@ -988,6 +994,32 @@ scene-no_forces_of_belts = how hard a belt is strained is not known, so forces a
 scene-remove_belts_or_loads = remove masses, `gravity`, `forces` and `springs` from the scene, or its belts
 scene-no_force_plan_of_wheels = the force plan has no tooth forces: of a mechanism with wheels its polygons would not close
 scene-take_lever = leave the panel "forces" out: results have what teeth, pins and drives carry, and "lever" finds the torque
+scene-two_touch = a contact is between two bodies, not {$count}
+scene-touches_itself = {$body} cannot touch itself
+scene-through_without_face = `through` is a place on a flat profile, but the second one is round
+scene-give_face = give the direction of the flat profile as `along`, or leave `through` out
+scene-one_center_of_face = a round profile on a flat one has one centre of curvature, not {$count}
+scene-face_has_no_center = name the centre of the first profile alone; where both are round leave `along` out
+scene-two_centers = two round profiles have two centres of curvature, not {$count}
+scene-center_or_face = name a point of each body; of a flat profile give the direction as `along`
+scene-center_on_body = a centre of curvature is a point of the body whose profile it belongs to, in the order of `links`
+scene-center_of_both = a centre of curvature is a point of both, {$first} and {$second}: they would be joined there
+scene-face_without_link = a pin on a flat profile needs no equivalent link, so there is none to name
+scene-flat_roller = a roller is round, but `along` says that the second profile is flat
+scene-give_radii = give the radii of curvature in the order of `centers`, as "radii": [40, 10]
+scene-radii_as_centers = as many radii as centres are needed: {$wanted}, not {$count}
+scene-hollow_on_face = a hollow profile does not touch a flat one
+scene-turn_face = the radius is positive; for the other side of the face turn `along` by 180
+scene-two_hollows = two hollow profiles cannot touch
+scene-hollow_and_round = only the radius of a hollow profile is negative, and the other one lies in it
+scene-give_roller = the second radius is that of the roller
+scene-centers_in_one_place = with these radii both centres are in one place
+scene-hollow_smaller = a round profile of radius {$round} does not lie in a hollow one of radius {$hollow}
+scene-hollow_larger = the hollow profile has the larger radius, and stands with a minus
+scene-radii_not_as_drawn = {$first} and {$second} are drawn {$distance} apart, but the radii make {$radii}
+scene-radii_as_drawn = the sum of the radii is the distance of the centres; a drawing does without radii
+scene-equivalent_taken = the equivalent link would be called {$link}, but there is a link of that name
+scene-name_equivalent = give it another `name`
 
 # Masses and loads.
 
@@ -1055,6 +1087,8 @@ scene-drawn_has_no_path = a drawn configuration cannot be moved, so point {$poin
 scene-drawn_has_no_centrodes = a drawn configuration cannot be moved, so link {$link} has no centrodes
 scene-drawn_has_no_ghosts = a drawn configuration cannot be moved, so there are no other positions to draw
 scene-lengths_and_drive = a scene with `lengths` or `shape` and a drive with its `angle` or `position`
+scene-at_contact_alone = the profiles that touch are known at their contact alone, so there is no other position
+scene-say_circular = say "circular": true in the contact, if both profiles are circles about these centres, or a circle and a straight line
 scene-no_drive_no_path = there is no drive to move the mechanism, so point {$point} has no path
 scene-no_drive_no_centrodes = there is no drive to move the mechanism, so link {$link} has no centrodes
 scene-no_drive_no_ghosts = there is no drive to move the mechanism, so there are no other positions to draw
@@ -1099,6 +1133,7 @@ scene-expects_motion = a motion as {"{"} "velocity": [x, y], "acceleration": [x,
 scene-expects_link_motion = a motion as {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = a slider as {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_gear = a gear pair as {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
+scene-expects_contact = a contact as {"{"} "links": ["1", "3"], "centers": ["K", "C"], "radii": [40, 10] {"}"}
 scene-expects_teeth = a number of teeth, or "rack"
 scene-expects_scene = a scene as {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = a figure as {"{"} "panels": ["scheme", "velocity"] {"}"}
@@ -1131,6 +1166,7 @@ mechanism-make_revolute = make one of the prismatic joints revolute
 mechanism-train_without_ratio = the teeth do not tell the angles of links {$links}: the wheels turn alike whatever the arm does, so nothing drives it
 mechanism-other_teeth = give other numbers of teeth, so that the basic ratio of the train is not 1, or drive the arm
 mechanism-two_radii = wheel {$link} with {$teeth} teeth would have two pitch radii, {$first} and {$second}: check teeth and centre distances
+mechanism-holds_here_alone = the contact of {$first} and {$second} is known in this position alone: its equivalent linkage gives velocities, accelerations and forces here, and nothing elsewhere
 
 # Too few or too many constraints.
 
@@ -1244,6 +1280,7 @@ motion-at_infinity = at infinity (guides at {$first} and {$second})
 ## Errors and warnings: accuracy
 
 accuracy-unproved = links {$links}: nothing is proved of their position or motion, so their numbers have no stated error
+accuracy-pulls = the profiles of contact {$contact} would have to pull at each other here: they part, unless something holds them together
 accuracy-unbounded = {$names}: no bound of the error can be given, as what they are read from may be zero, or lines parallel
 accuracy-at_limit = limit position at {$place}: links {$links} can go no further, their rates grow without bound, so their numbers have no stated error
 accuracy-at_change = change point at {$place}: links {$links} could go on in another mode too, so their rates are not determined and their numbers have no stated error
@@ -1299,6 +1336,8 @@ forces-friction_leaves_open = at rest, friction may be anything up to its limit,
 
 cycle-drawn = a drawn configuration cannot be moved: it has no lengths
 cycle-lengths_and_drive = a scene with `lengths` or `shape` and a drive with its `angle` or `position`
+cycle-at_contact = the profiles that touch are known at their contact alone, so the mechanism cannot be moved
+cycle-say_circular = "circular": true in the contact, if both profiles are circles about these centres, or a circle and a straight line
 cycle-other_kind = mechanism {$number} is not of the kind of mechanism 0
 cycle-same_kind = the same links, joints and drives in the same order; only lengths, places and drives may differ
 cycle-no_drive = there is no drive to move

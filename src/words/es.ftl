@@ -172,6 +172,10 @@ paths = Marcas en la trayectoria de {$points}: cada {$step} de la pieza motriz {
 paths_in_time = Marcas en la trayectoria de {$points}: cada {$step} de la pieza motriz {$drive}, es decir, cada {$time}.
 path_of = Trayectoria de {$point} en {$unit}
 mode = modo {$number}
+contact_link = El eslabón {$link} equivale al contacto de {$first} y {$second}: une sus centros de curvatura {$from} y {$to}.
+contact_face = Un pasador en {$center}, el centro de curvatura de {$first}, que desliza a lo largo de la cara plana de {$second} equivale a su contacto.
+contact_here = Eso vale solo en esta posición.
+equivalent = {$link} (equivalente)
 modes_left_out = De los otros modos de montaje solo se dibujan los primeros {$count}.
 centrodes = Polodias del eslabón {$links}, cerca del mecanismo: la fija en trazo continuo, la móvil a trazos.
 no_centrodes = El eslabón {$links} gira alrededor de un punto fijo o no gira: no tiene polodias.
@@ -765,6 +769,8 @@ scene-negative_size = el tamaño es {$size}; un tamaño no es negativo: en su lu
 scene-no_page = no existe la página "{$name}"
 scene-no_unit = no existe la unidad de longitud "{$name}"
 scene-did_you_mean = ¿quiso decir `{$name}`?
+scene-joints_out_of_scope = los eslabones se unen por articulaciones, correderas rectas (`sliders`), ruedas, cremalleras y correas (`gears`), y perfiles que se tocan, como los de levas (`contacts`)
+scene-forces_out_of_scope = los movimientos se siguen de los accionamientos: fuerzas, masas, muelles y rozamiento quedan fuera
 scene-joints_out_of_scope = los eslabones se unen por articulaciones, correderas rectas, pares de engranajes, cremalleras y correas: las levas quedan fuera
 scene-forces_out_of_scope = las cargas son `mass`, `inertia` y `center` de un eslabón, y `gravity`, `forces`, `springs` y `friction` de la escena; no hay amortiguadores
 
@@ -956,6 +962,32 @@ scene-no_forces_of_belts = no se sabe cuánto está tensada una correa; por eso 
 scene-remove_belts_or_loads = quite de la escena masas, `gravity`, `forces` y `springs`, o sus correas
 scene-no_force_plan_of_wheels = el plano de fuerzas no tiene fuerzas de dientes: en un mecanismo con ruedas sus polígonos no se cerrarían
 scene-take_lever = quite el panel "forces": los resultados tienen lo que llevan dientes, articulaciones y accionamientos, y "lever" halla el par
+scene-two_touch = un contacto es entre dos cuerpos, no {$count}
+scene-touches_itself = {$body} no puede tocarse a sí mismo
+scene-through_without_face = `through` es un lugar de un perfil plano, pero el segundo es redondo
+scene-give_face = dé la dirección del perfil plano como `along`, u omita `through`
+scene-one_center_of_face = un perfil redondo sobre uno plano tiene un centro de curvatura, no {$count}
+scene-face_has_no_center = nombre solo el centro del primer perfil; si ambos son redondos, omita `along`
+scene-two_centers = dos perfiles redondos tienen dos centros de curvatura, no {$count}
+scene-center_or_face = nombre un punto de cada cuerpo; de un perfil plano dé la dirección como `along`
+scene-center_on_body = un centro de curvatura es un punto del cuerpo al que pertenece el perfil, en el orden de `links`
+scene-center_of_both = un centro de curvatura es un punto de ambos, {$first} y {$second}: estarían unidos allí
+scene-face_without_link = un pasador sobre un perfil plano no necesita eslabón equivalente, así que no hay ninguno que nombrar
+scene-flat_roller = un rodillo es redondo, pero `along` dice que el segundo perfil es plano
+scene-give_radii = dé los radios de curvatura en el orden de `centers`, como "radii": [40, 10]
+scene-radii_as_centers = hacen falta tantos radios como centros: {$wanted}, no {$count}
+scene-hollow_on_face = un perfil cóncavo no toca uno plano
+scene-turn_face = el radio es positivo; para el otro lado de la cara gire `along` 180
+scene-two_hollows = dos perfiles cóncavos no pueden tocarse
+scene-hollow_and_round = solo el radio de un perfil cóncavo es negativo, y el otro está dentro de él
+scene-give_roller = el segundo radio es el del rodillo
+scene-centers_in_one_place = con estos radios ambos centros están en un mismo lugar
+scene-hollow_smaller = un perfil redondo de radio {$round} no cabe en uno cóncavo de radio {$hollow}
+scene-hollow_larger = el perfil cóncavo tiene el radio mayor, con un menos delante
+scene-radii_not_as_drawn = {$first} y {$second} están dibujados a {$distance}, pero los radios dan {$radii}
+scene-radii_as_drawn = la suma de los radios es la distancia de los centros; un dibujo no necesita radios
+scene-equivalent_taken = el eslabón equivalente se llamaría {$link}, pero hay un eslabón con ese nombre
+scene-name_equivalent = dele otro `name`
 
 # Masses and loads.
 
@@ -1023,6 +1055,8 @@ scene-drawn_has_no_path = una configuración dibujada no puede moverse, así que
 scene-drawn_has_no_centrodes = una configuración dibujada no puede moverse, así que el eslabón {$link} no tiene polodias
 scene-drawn_has_no_ghosts = una configuración dibujada no puede moverse, así que no hay otras posiciones que dibujar
 scene-lengths_and_drive = una escena con `lengths` o `shape` y un accionamiento con su `angle` o `position`
+scene-at_contact_alone = los perfiles que se tocan solo se conocen en su contacto, así que no hay otra posición
+scene-say_circular = escriba "circular": true en el contacto, si ambos perfiles son círculos alrededor de estos centros, o un círculo y una recta
 scene-no_drive_no_path = no hay accionamiento que mueva el mecanismo, así que el punto {$point} no tiene trayectoria
 scene-no_drive_no_centrodes = no hay accionamiento que mueva el mecanismo, así que el eslabón {$link} no tiene polodias
 scene-no_drive_no_ghosts = no hay accionamiento que mueva el mecanismo, así que no hay otras posiciones que dibujar
@@ -1067,6 +1101,7 @@ scene-expects_motion = un movimiento como {"{"} "velocity": [x, y], "acceleratio
 scene-expects_link_motion = un movimiento como {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = una corredera como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_gear = un par de engranajes como {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
+scene-expects_contact = un contacto como {"{"} "links": ["1", "3"], "centers": ["K", "C"], "radii": [40, 10] {"}"}
 scene-expects_teeth = un número de dientes, o "rack"
 scene-expects_scene = una escena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = una figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
@@ -1099,6 +1134,7 @@ mechanism-make_revolute = convierta uno de los pares prismáticos en rotatorio
 mechanism-train_without_ratio = los dientes no dan los ángulos de los eslabones {$links}: las ruedas giran igual haga lo que haga el brazo, así que nada lo mueve
 mechanism-other_teeth = dé otros números de dientes, de modo que la relación básica del tren no sea 1, o accione el brazo
 mechanism-two_radii = la rueda {$link} de {$teeth} dientes tendría dos radios primitivos, {$first} y {$second}: revise dientes y distancias entre centros
+mechanism-holds_here_alone = el contacto de {$first} y {$second} solo se conoce en esta posición: su mecanismo equivalente da aquí velocidades, aceleraciones y fuerzas, y nada en otra parte
 
 # Too few or too many constraints.
 
@@ -1209,6 +1245,7 @@ motion-at_infinity = en el infinito (guías en {$first} y {$second})
 ## Errors and warnings: accuracy
 
 accuracy-unproved = eslabones {$links}: de su posición o de su movimiento no se demuestra nada, así que sus números no llevan error
+accuracy-pulls = los perfiles del contacto {$contact} tendrían que tirar uno del otro aquí: se separan, si nada los mantiene unidos
 accuracy-unbounded = {$names}: no se puede dar ninguna cota del error, pues aquello de lo que se leen puede ser cero, o unas rectas paralelas
 accuracy-at_limit = posición límite en {$place}: los eslabones {$links} no pueden ir más allá; sus velocidades y aceleraciones crecen sin cota, así que sus números no llevan error
 accuracy-at_change = punto de cambio en {$place}: los eslabones {$links} podrían seguir también en otro modo, así que sus velocidades no están determinadas y sus números no llevan error
@@ -1264,6 +1301,8 @@ forces-friction_leaves_open = en reposo el rozamiento puede ser cualquiera hasta
 
 cycle-drawn = una configuración dibujada no puede moverse: no tiene longitudes
 cycle-lengths_and_drive = una escena con `lengths` o `shape` y un accionamiento con su `angle` o `position`
+cycle-at_contact = los perfiles que se tocan solo se conocen en su contacto, así que el mecanismo no puede moverse
+cycle-say_circular = "circular": true en el contacto, si ambos perfiles son círculos alrededor de estos centros, o un círculo y una recta
 cycle-other_kind = el mecanismo {$number} no es del tipo del mecanismo 0
 cycle-same_kind = los mismos eslabones, pares y accionamientos en el mismo orden; solo pueden diferir longitudes, lugares y accionamientos
 cycle-no_drive = no hay ningún accionamiento que mover

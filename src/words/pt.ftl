@@ -174,6 +174,10 @@ paths = Marcas na trajetória de {$points}: a cada {$step} do acionamento {$driv
 paths_in_time = Marcas na trajetória de {$points}: a cada {$step} do acionamento {$drive}, ou seja, a cada {$time}.
 path_of = Trajetória de {$point} em {$unit}
 mode = modo {$number}
+contact_link = O elo {$link} equivale ao contato de {$first} e {$second}: une seus centros de curvatura {$from} e {$to}.
+contact_face = Um pino em {$center}, o centro de curvatura de {$first}, que desliza ao longo da face plana de {$second} equivale ao seu contato.
+contact_here = Isso vale só nesta posição.
+equivalent = {$link} (equivalente)
 modes_left_out = Dos outros modos de montagem só são desenhados os primeiros {$count}.
 centrodes = Polares do elo {$links}, perto do mecanismo: a fixa em traço contínuo, a móvel tracejada.
 no_centrodes = O elo {$links} gira em torno de um ponto fixo ou não gira: não tem polares.
@@ -767,6 +771,8 @@ scene-negative_size = o tamanho é {$size}; um tamanho não é negativo: em vez 
 scene-no_page = não existe a página "{$name}"
 scene-no_unit = não existe a unidade de comprimento "{$name}"
 scene-did_you_mean = você quis dizer `{$name}`?
+scene-joints_out_of_scope = os elos se unem por pinos, cursores retos (`sliders`), rodas, cremalheiras e correias (`gears`), e perfis que se tocam, como os de cames (`contacts`)
+scene-forces_out_of_scope = os movimentos decorrem dos acionamentos: forças, massas, molas e atrito ficam de fora
 scene-joints_out_of_scope = os elos se unem por pinos, cursores retos, pares de engrenagens, cremalheiras e correias: os cames ficam de fora
 scene-forces_out_of_scope = as cargas são `mass`, `inertia` e `center` de um elo, e `gravity`, `forces`, `springs` e `friction` da cena; não há amortecedores
 
@@ -958,6 +964,32 @@ scene-no_forces_of_belts = não se sabe quanto uma correia está tensionada; por
 scene-remove_belts_or_loads = tire da cena massas, `gravity`, `forces` e `springs`, ou suas correias
 scene-no_force_plan_of_wheels = o plano de forças não tem forças de dentes: num mecanismo com rodas seus polígonos não se fechariam
 scene-take_lever = retire o painel "forces": os resultados têm o que dentes, pinos e acionamentos levam, e "lever" encontra o torque
+scene-two_touch = um contato é entre dois corpos, não {$count}
+scene-touches_itself = {$body} não pode tocar a si mesmo
+scene-through_without_face = `through` é um lugar de um perfil plano, mas o segundo é redondo
+scene-give_face = dê a direção do perfil plano como `along`, ou omita `through`
+scene-one_center_of_face = um perfil redondo sobre um plano tem um centro de curvatura, não {$count}
+scene-face_has_no_center = nomeie só o centro do primeiro perfil; se ambos são redondos, omita `along`
+scene-two_centers = dois perfis redondos têm dois centros de curvatura, não {$count}
+scene-center_or_face = nomeie um ponto de cada corpo; de um perfil plano dê a direção como `along`
+scene-center_on_body = um centro de curvatura é um ponto do corpo a que o perfil pertence, na ordem de `links`
+scene-center_of_both = um centro de curvatura é um ponto de ambos, {$first} e {$second}: estariam unidos ali
+scene-face_without_link = um pino sobre um perfil plano não precisa de um elo equivalente, portanto não há nenhum a nomear
+scene-flat_roller = um rolete é redondo, mas `along` diz que o segundo perfil é plano
+scene-give_radii = dê os raios de curvatura na ordem de `centers`, como "radii": [40, 10]
+scene-radii_as_centers = são precisos tantos raios quantos centros: {$wanted}, não {$count}
+scene-hollow_on_face = um perfil côncavo não toca um plano
+scene-turn_face = o raio é positivo; para o outro lado da face gire `along` 180
+scene-two_hollows = dois perfis côncavos não podem se tocar
+scene-hollow_and_round = só o raio de um perfil côncavo é negativo, e o outro está dentro dele
+scene-give_roller = o segundo raio é o do rolete
+scene-centers_in_one_place = com estes raios os dois centros estão em um só lugar
+scene-hollow_smaller = um perfil redondo de raio {$round} não cabe em um côncavo de raio {$hollow}
+scene-hollow_larger = o perfil côncavo tem o raio maior, com um menos à frente
+scene-radii_not_as_drawn = {$first} e {$second} estão desenhados a {$distance}, mas os raios dão {$radii}
+scene-radii_as_drawn = a soma dos raios é a distância dos centros; um desenho dispensa raios
+scene-equivalent_taken = o elo equivalente se chamaria {$link}, mas há um elo com esse nome
+scene-name_equivalent = dê-lhe outro `name`
 
 # Masses and loads.
 
@@ -1025,6 +1057,8 @@ scene-drawn_has_no_path = uma configuração desenhada não pode ser movida, por
 scene-drawn_has_no_centrodes = uma configuração desenhada não pode ser movida, portanto o elo {$link} não tem polares
 scene-drawn_has_no_ghosts = uma configuração desenhada não pode ser movida, portanto não há outras posições a desenhar
 scene-lengths_and_drive = uma cena com `lengths` ou `shape` e um acionamento com seu `angle` ou `position`
+scene-at_contact_alone = os perfis que se tocam são conhecidos só em seu contato, portanto não há outra posição
+scene-say_circular = escreva "circular": true no contato, se ambos os perfis são círculos em torno destes centros, ou um círculo e uma reta
 scene-no_drive_no_path = não há acionamento que mova o mecanismo, portanto o ponto {$point} não tem trajetória
 scene-no_drive_no_centrodes = não há acionamento que mova o mecanismo, portanto o elo {$link} não tem polares
 scene-no_drive_no_ghosts = não há acionamento que mova o mecanismo, portanto não há outras posições a desenhar
@@ -1069,6 +1103,7 @@ scene-expects_motion = um movimento como {"{"} "velocity": [x, y], "acceleration
 scene-expects_link_motion = um movimento como {"{"} "at": "B", "velocity": [x, y], "omega": 1 {"}"}
 scene-expects_slider = um cursor como {"{"} "link": "3", "at": "D", "on": "2", "along": "BE" {"}"}
 scene-expects_gear = um par de engrenagens como {"{"} "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" {"}"}
+scene-expects_contact = um contato como {"{"} "links": ["1", "3"], "centers": ["K", "C"], "radii": [40, 10] {"}"}
 scene-expects_teeth = um número de dentes, ou "rack"
 scene-expects_scene = uma cena como {"{"} "kinegon": 1, … {"}"}
 scene-expects_figure = uma figura como {"{"} "panels": ["scheme", "velocity"] {"}"}
@@ -1101,6 +1136,7 @@ mechanism-make_revolute = transforme uma das juntas prismáticas em junta de rot
 mechanism-train_without_ratio = os dentes não dão os ângulos dos elos {$links}: as rodas giram do mesmo modo faça o que fizer o braço, portanto nada o move
 mechanism-other_teeth = dê outros números de dentes, de modo que a relação básica do trem não seja 1, ou acione o braço
 mechanism-two_radii = a roda {$link} de {$teeth} dentes teria dois raios primitivos, {$first} e {$second}: confira dentes e distâncias entre centros
+mechanism-holds_here_alone = o contato de {$first} e {$second} é conhecido só nesta posição: seu mecanismo equivalente dá aqui velocidades, acelerações e forças, e nada em outra parte
 
 # Too few or too many constraints.
 
@@ -1211,6 +1247,7 @@ motion-at_infinity = no infinito (guias em {$first} e {$second})
 ## Errors and warnings: accuracy
 
 accuracy-unproved = elos {$links}: nada se demonstra de sua posição ou de seu movimento, portanto seus números não levam erro
+accuracy-pulls = os perfis do contato {$contact} teriam de puxar um ao outro aqui: eles se separam, se nada os mantém juntos
 accuracy-unbounded = {$names}: não se pode dar nenhum limite do erro, pois aquilo de que são lidos pode ser zero, ou retas paralelas
 accuracy-at_limit = posição limite em {$place}: os elos {$links} não podem ir além; suas velocidades e acelerações crescem sem limite, portanto seus números não levam erro
 accuracy-at_change = ponto de mudança em {$place}: os elos {$links} também poderiam seguir em outro modo, portanto suas velocidades não estão determinadas e seus números não levam erro
@@ -1266,6 +1303,8 @@ forces-friction_leaves_open = em repouso o atrito pode ser qualquer um até ao s
 
 cycle-drawn = uma configuração desenhada não pode ser movida: não tem comprimentos
 cycle-lengths_and_drive = uma cena com `lengths` ou `shape` e um acionamento com seu `angle` ou `position`
+cycle-at_contact = os perfis que se tocam são conhecidos só em seu contato, portanto o mecanismo não pode ser movido
+cycle-say_circular = "circular": true no contato, se ambos os perfis são círculos em torno destes centros, ou um círculo e uma reta
 cycle-other_kind = o mecanismo {$number} não é do tipo do mecanismo 0
 cycle-same_kind = os mesmos elos, juntas e acionamentos na mesma ordem; só podem diferir comprimentos, lugares e acionamentos
 cycle-no_drive = não há nenhum acionamento a mover

@@ -229,6 +229,12 @@ sentences! {
     no_radius_of_curvature(point);
     /// At another assembly mode.
     mode(number);
+    /// What moves as two profiles that touch.
+    contact_link(link, first, second, from, to);
+    contact_face(first, second, center);
+    contact_here;
+    /// Behind the name of a link that stands for two profiles that touch.
+    equivalent(link);
     modes_left_out(count);
     /// What is drawn of a path on other branches of the motion.
     paths_beyond;

@@ -67,6 +67,10 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
         let places = || (0..plain.points.len()).map(|p| (p, truth.points[p]));
         let size = places().fold(0.0, |m: f64, (_, p)| m.max(p.coords.norm()));
         for (id, body) in plain.links().filter(|(id, _)| plain.is_sought(*id)) {
+            // Links that stand for contacts are no entries of the scene.
+            if plain.is_equivalent(id) {
+                continue;
+            }
             let link = &body.name;
             let what = format!("{name} from angle({link})");
             let mut scene = open.clone();
@@ -111,7 +115,7 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
     }
     println!("{back} angles, {constant} links that do not turn");
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    assert_eq!((back, constant), (30, 3));
+    assert_eq!((back, constant), (31, 4));
 }
 
 /// A four-bar linkage; what stands in the drive of link 1, in link 2 and in link 3 comes from the case.

@@ -27,6 +27,7 @@
 //! - What may not matter: `invariants` turns, mirrors, scales, shifts and renames random groups; `properties` does so
 //!   with whole mechanisms, templates with other numbers, and holds their rates to differences and their plans to the
 //!   links' images.
+//! - Cams: `cams` holds contacts of profiles to independent digits and to closed forms over whole turns.
 //! - Racks and belts: `racks` holds rolling wheels, racks and the forces of teeth to closed forms and independent digits.
 //! - Wheels: `gears` holds trains to independent digits and to Willis' formula, geared five-bars and rolling curves to closed forms, pitch points to centres.
 //! - Wheels: `trains` holds their construction by pitch points to the same formula, and exercises to teeth that fit; `gears` holds trains to independent digits and to Willis' formula, geared five-bars and rolling curves to closed forms, pitch points to centres.
@@ -64,6 +65,7 @@ mod board_shown;
 mod boards;
 mod by_centers;
 mod camera;
+mod cams;
 mod centers;
 mod centers_checked;
 mod centers_drawn;

@@ -174,8 +174,8 @@ fn the_schema_names_every_key() {
     assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
     let keys: Vec<_> = schema["properties"].as_object().unwrap().keys().map(String::as_str).collect();
     let expected = [
-        "kinegon", "title", "units", "ground", "points", "known", "links", "sliders", "gears", "gravity", "forces",
-        "springs", "analysis", "near", "figure", "want", "form", "hints", "note", "$schema",
+        "kinegon", "title", "units", "ground", "points", "known", "links", "sliders", "gears", "contacts", "gravity",
+        "forces", "springs", "analysis", "near", "figure", "want", "form", "hints", "note", "$schema",
     ];
     assert_eq!(keys, expected);
     let text = schema.to_string();

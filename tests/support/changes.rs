@@ -156,7 +156,9 @@ pub fn compare(before: &ResultFile, after: &ResultFile, change: &Change<'_>, uni
     }
     for (name, slider) in &before.sliders {
         let (link, on) = name.split_once('/').expect("the name of a slider");
-        let after = &after.sliders[&format!("{}/{}", names.link(link), names.link(on))];
+        // A pin in a slot, or on a flat profile, has the name of its point.
+        let sliding = if before.links.contains_key(link) { names.link(link) } else { names.point(link) };
+        let after = &after.sliders[&format!("{sliding}/{}", names.link(on))];
         let by = first * change.length;
         let want = (slider.velocity * by, slider.velocity_error * by.abs());
         let got = (after.velocity, after.velocity_error);

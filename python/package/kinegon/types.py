@@ -224,6 +224,29 @@ class Gear(TypedDict):
     """For people; ignored"""
 
 
+class Contact(TypedDict):
+    """Two profiles that touch, as those of a cam and its follower."""
+
+    links: Sequence[str]
+    """The two bodies that touch: links, or "ground"."""
+    centers: Sequence[str]
+    """The centres of curvature of their profiles at the contact, a point of each, in the same order; only that of the first where the second profile is flat."""
+    radii: NotRequired[Sequence[float]]
+    """The radii of curvature in the same order, that of a hollow profile negative. In a drawn configuration they may be left out."""
+    along: NotRequired[Direction]
+    """The direction of the flat profile of the second body, as that of a guide; the first body lies to its right, below a face that runs to +x."""
+    through: NotRequired[NameOrPlace]
+    """A place on the flat profile: a point of the second body, or [x, y] on the ground or in its shape. Left out: the first point of `along`, else of the body."""
+    roller: NotRequired[bool]
+    """Whether the second body touches with a roller about its centre; left out: false."""
+    circular: NotRequired[bool]
+    """Whether both profiles are circles about these centres, or a circle and a straight line, so that the linkage is equivalent in every position; left out: false, in this position alone."""
+    name: NotRequired[str]
+    """The name of the equivalent link; left out: E1, E2 … in the order of the contacts."""
+    note: NotRequired[object]
+    """For people; ignored"""
+
+
 #: A place and the factor there
 TableLine = Sequence[float]
 
@@ -463,6 +486,8 @@ class SceneFile(_SceneFileKeys):
     """Links that slide along straight guides, and pins that ride in slots."""
     gears: NotRequired[Sequence[Gear]]
     """Pairs of wheels that mesh."""
+    contacts: NotRequired[Sequence[Contact]]
+    """Profiles that touch, as those of a cam and its follower."""
     gravity: NotRequired[Vector]
     """The acceleration of free fall, in length per time²; left out: zero."""
     forces: NotRequired[Sequence[Load]]
@@ -593,6 +618,8 @@ class StyleFilePens(TypedDict):
     """The rest of such a path, beyond the limits of the drive."""
     ghost: NotRequired[StylePen]
     """A link in another position of the cycle."""
+    equivalent: NotRequired[StylePen]
+    """A link, or a pin on its guide, that moves as profiles that touch do."""
     construction: NotRequired[StylePen]
     """A helping line of the scheme."""
     ray: NotRequired[StylePen]
@@ -988,6 +1015,35 @@ class ForcesResult(TypedDict):
     """The difference that rounding allows."""
 
 
+class ContactResult(TypedDict):
+    """Two profiles that touch."""
+
+    equivalent: str
+    """What moves as they do: the name of a link, or of a slider where the second profile is flat."""
+    here_alone: bool
+    """Whether it does so in this position alone."""
+    position: NotRequired[Union[list[float], None]]
+    """Where they touch; left out where no radii say it."""
+    position_error: NotRequired[Union[float, None]]
+    """Bound on the error of both coordinates."""
+    normal: list[float]
+    """The common normal, of length 1: from the first centre of curvature towards the second, or into the flat profile."""
+    normal_error: NotRequired[Union[float, None]]
+    """Bound on the error of both components of `normal`."""
+    sliding: NotRequired[Union[float, None]]
+    """The velocity of the first profile on the second where they touch, positive along the normal turned by +90°."""
+    sliding_error: NotRequired[Union[float, None]]
+    """Bound on the error of `sliding`."""
+    roller_omega: NotRequired[Union[float, None]]
+    """The angular velocity of the roller, which rolls on the first profile."""
+    roller_omega_error: NotRequired[Union[float, None]]
+    """Bound on the error of `roller_omega`."""
+    force: NotRequired[Union[float, None]]
+    """The force with which the profiles press on each other along the normal, in the scene's unit of force; negative where they would have to pull. Only of a scene with loads."""
+    force_error: NotRequired[Union[float, None]]
+    """Bound on the error of `force`."""
+
+
 #: An instant centre: its place, or the direction in which it lies at infinity.
 CenterResult = SceneFile
 
@@ -1053,6 +1109,8 @@ class Result(TypedDict):
     """By quantity name: bound on its error, of a vector that of each component, of an angle in degrees."""
     forces: NotRequired[Union[ForcesResult, None]]
     """What joints carry and drives need; only of a scene with loads."""
+    contacts: NotRequired[dict[str, ContactResult]]
+    """By the bodies that touch, as `1/3`; of further contacts of the same two, `1/3#2`."""
     centers: NotRequired[dict[str, Union[CenterResult, None]]]
     """By name, as in `P(1,3)`: the instant centres that the scene's `want` asks for; null where the links rest on one another, or no place can be found."""
     pencil: NotRequired[Union[PencilResult, None]]

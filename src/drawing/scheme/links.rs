@@ -31,10 +31,11 @@ impl<'a> SchemeOnPaper<'a> {
     pub(super) fn link_lines(&self, canvas: &mut Canvas<'_>) {
         for (id, body) in self.mechanism.links() {
             let name = format!("link-{}", body.name);
+            let pen = if self.mechanism.is_equivalent(id) { Pen::Equivalent } else { Pen::Link };
             for (index, line) in self.shape(id).outlines().into_iter().enumerate() {
                 let mark = match index {
-                    0 => canvas.draw_named(&name, Pen::Link, line),
-                    _ => canvas.draw(Pen::Link, line),
+                    0 => canvas.draw_named(&name, pen, line),
+                    _ => canvas.draw(pen, line),
                 };
                 mark.number = self.context.number(id);
             }
@@ -111,7 +112,8 @@ impl<'a> SchemeOnPaper<'a> {
     /// Draws the links in another position.
     fn ghost(&self, canvas: &mut Canvas<'_>, name: &str, pose: &'a Pose) {
         let ghost = self.in_pose(pose);
-        for (link, body) in self.mechanism.links() {
+        let links = self.mechanism.links().filter(|(link, _)| !self.mechanism.is_equivalent(*link));
+        for (link, body) in links {
             for (part, line) in ghost.shape(link).outlines().into_iter().enumerate() {
                 let part = if part > 0 { format!("-{}", part + 1) } else { String::new() };
                 let name = format!("{name}-link-{}{part}", body.name);

@@ -2,6 +2,7 @@
 //! on their pins, joints, special points, labels.
 
 pub(super) mod centrodes;
+mod contacts;
 mod drives;
 mod links;
 mod loads;
@@ -28,6 +29,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     scheme.ghosts(canvas);
     scheme.other_modes(canvas);
     scheme.link_areas(canvas);
+    scheme.discs(canvas);
     scheme.paths(canvas);
     scheme.centrodes(canvas);
     scheme.inflection_circles(canvas);
@@ -43,6 +45,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
         scheme.pivot(canvas, point);
     }
     scheme.wheels(canvas);
+    scheme.contacts(canvas);
     scheme.link_lines(canvas);
     scheme.slide_arrows(canvas);
     for slider in scheme.sliders() {
@@ -82,6 +85,7 @@ pub(super) fn draw_bare(
     for &point in &scheme.mechanism.body(GROUND).points {
         scheme.pivot(canvas, point);
     }
+    scheme.contacts(canvas);
     scheme.link_lines(canvas);
     for slider in scheme.sliders() {
         scheme.block(canvas, slider);

@@ -1,6 +1,7 @@
 //! The scheme in a view: places of points, shapes of links, the lines on which a point lies; and what of it is in sight:
 //! its extent, and which special points are near enough to stand at their places.
 
+use super::contacts::{self, has_guide};
 use crate::construction::{Solution, Special};
 use crate::drawing::context::{Purpose, SheetContext};
 use crate::drawing::dims::Dims;
@@ -157,7 +158,7 @@ impl<'a> SchemeOnPaper<'a> {
     /// other point an arm normal to it.
     fn yoke(&self, link: BodyId) -> Option<Vec<[Point; 2]>> {
         let ids = self.mechanism.slider_ids();
-        let mut slots = ids.filter(|&id| self.mechanism.slider(id).on == link);
+        let mut slots = ids.filter(|&id| self.mechanism.slider(id).on == link && has_guide(self.mechanism, id));
         let slot = slots.next().filter(|_| slots.next().is_none())?;
         let at = self.at(self.mechanism.slider(slot).at);
         let along = on_sheet(self.pose.guide(slot));
@@ -269,7 +270,8 @@ pub(in crate::drawing) fn places(solution: &Solution) -> impl Iterator<Item = ge
         let (center, arm) = (pose.point(center), geometry::Vector::new(radius, radius));
         [center - arm, center + arm]
     });
-    pose.points.iter().copied().chain(guide_ends(mechanism, pose)).chain(circles)
+    let points = pose.points.iter().copied().chain(guide_ends(mechanism, pose)).chain(circles);
+    points.chain(contacts::places(solution))
 }
 
 /// Points that extend the scheme for guides on the ground.

@@ -79,7 +79,13 @@ impl SchemeOnPaper<'_> {
                     ((sum / corners.len() as f64).to_point(), 0.0, None)
                 }
             };
-            canvas.label(&body.name, &body.name, anchor, clearance, prefer, 1).number = self.context.number(id);
+            let number = self.context.number(id);
+            let label = canvas.label(&body.name, &body.name, anchor, clearance, prefer, 1);
+            label.number = number;
+            if self.mechanism.is_equivalent(id) {
+                let whole = self.context.words.language.equivalent(&self.context.shown(&body.name, None));
+                label.short = Some(std::mem::replace(&mut label.request.text, RichText::math(&whole)));
+            }
         }
         if let Some(&first) = self.mechanism.body(GROUND).points.first() {
             let name = self.mechanism.body(GROUND).name.as_str();

@@ -1,5 +1,6 @@
 //! Guides and the blocks on them; the ground: pivots, ground lines and their hatching.
 
+use super::contacts::has_guide;
 use super::on_paper::{LinkShape, ON_LINE, SchemeOnPaper, extent, is_on};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::clipped_segment;
@@ -144,6 +145,7 @@ impl SchemeOnPaper<'_> {
     /// The corners around the slots of a link, which its area has room for.
     pub(super) fn corners_of_slots(&self, link: BodyId, room: Rect) -> Vec<Point> {
         let sliders = self.mechanism.slider_ids().filter(|&id| self.mechanism.slider(id).on == link);
+        let sliders = sliders.filter(|&id| has_guide(self.mechanism, id));
         let corners = sliders.filter_map(|id| {
             let [a, b] = self.slot(id, room)?.ends;
             let along = towards(a, b, on_sheet(self.pose.guide(id))) * AROUND_SLOT;

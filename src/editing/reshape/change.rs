@@ -1,13 +1,13 @@
 //! The numbers of a scene's text that change with the place of a point.
 
-use super::held::{Lever, can_be_placed, has_place, is_through, slides};
+use super::held::{Lever, can_be_placed, contact_of, has_place, is_through, slides};
 use crate::editing::measure::{Decimals, json, shape_place};
 use crate::editing::position::{number_at, position_of, turning};
 use crate::editing::present::Solved;
-use crate::geometry::{Placement, Point, degrees_of, direction_of_degrees, with_turns};
+use crate::geometry::{Placement, Point, cross, degrees_of, direction_of_degrees, with_turns};
 use crate::mechanism::{GROUND, PointId};
 use crate::position::Pose;
-use crate::scene::{Along, GivenBy, Length, Link, On, Shape, Slider};
+use crate::scene::{Along, Equivalent, GivenBy, Length, Link, On, Shape, Slider};
 use serde_json::Value as Json;
 
 /// Decimals of a phase, which wheels of many teeth multiply.
@@ -64,6 +64,10 @@ impl Change<'_> {
         links.sort_by_key(|(_, link)| link.drive.is_none());
         let mut place = self.pose.point(self.point);
         for (link_name, link) in links {
+            if let Some((contact, radii)) = self.contact_of_link(link_name) {
+                self.add_radius(contact, link, radii, name, place);
+                continue;
+            }
             match &link.shape {
                 Shape::Bare => {}
                 Shape::Local(_) => self.add_shape(link_name, name, place),
@@ -74,6 +78,23 @@ impl Change<'_> {
                 }
             }
         }
+    }
+
+    /// The contact, by its index, for which a link stands, and its radii.
+    fn contact_of_link(&self, link: &str) -> Option<(usize, [f64; 2])> {
+        let contacts = self.solved.scene.contacts.iter().enumerate();
+        contacts.into_iter().find_map(|(index, contact)| match &contact.equivalent {
+            Equivalent::Link { name, radii, .. } if name == link => Some((index, (*radii)?)),
+            _ => None,
+        })
+    }
+
+    /// The radius by which an equivalent link reaches the joint: that of the first profile, as of the cam, unless it would turn round or hollow.
+    fn add_radius(&mut self, contact: usize, link: &Link, [first, second]: [f64; 2], joint: &str, place: Point) {
+        let ends = [0, 1].map(|index| self.place(&link.points[index], joint, place));
+        let sum = self.decimals.round((ends[1] - ends[0]).norm()).copysign(first + second);
+        let (index, other) = if (sum - second) * first > 0.0 { ("0", second) } else { ("1", first) };
+        self.put(&["contacts", &contact.to_string(), "radii", index], json(self.decimals.finer(3).round(sum - other)));
     }
 
     /// The place of a point with the joint at `place`.
@@ -177,6 +198,14 @@ impl Change<'_> {
         let mut through = placement * local;
         let at = self.pose.point(given.at);
         let number = index.to_string();
+        if let Some(contact) = contact_of(self.solved, index) {
+            if slides {
+                // The first body lies to the right of the flat profile.
+                let radius = slider.beside - cross(along, at - through);
+                self.put(&["contacts", &contact.to_string(), "radii", "0"], json(self.decimals.round(radius)));
+            }
+            return;
+        }
         if slides && has_place(slider) {
             let off = (at - through) - along * along.dot(&(at - through));
             if off.norm() > 0.5 * self.decimals.step() {
@@ -204,8 +233,11 @@ impl Change<'_> {
             let number = index.to_string();
             let guide = degrees_of(solved.pose.guides[index]);
             if slider.on == On::Link(link.to_owned()) && !matches!(slider.along, Along::Points(..)) {
-                let old = self.json["sliders"][index]["along"].as_f64().unwrap_or(0.0);
-                self.put(&["sliders", &number, "along"], Decimals::ANGLE.json(with_turns(guide - axis, old)));
+                let of_face = contact_of(solved, index).map(|contact| contact.to_string());
+                let (list, entry) = of_face.as_ref().map_or(("sliders", &number), |contact| ("contacts", contact));
+                let path = [list, entry, "along"];
+                let old = number_at(self.json, &path.map(str::to_owned)).unwrap_or(0.0);
+                self.put(&path, Decimals::ANGLE.json(with_turns(guide - axis, old)));
             }
             if slider.link.as_deref() == Some(link) {
                 let turned = with_turns(axis - guide, slider.turned_deg);

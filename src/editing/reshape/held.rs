@@ -8,7 +8,7 @@ use crate::geometry::{Point, Turn, Vector, cross, quarter_turn, unit};
 use crate::mechanism::{BodyId, PointId, Role, SliderId};
 use crate::message::Message;
 use crate::position::Pose;
-use crate::scene::{Along, At, GivenBy, On, Shape, Slider, joined, pair};
+use crate::scene::{Along, At, Contact, Equivalent, GivenBy, On, Shape, Slider, joined, pair};
 
 /// Largest distance of a drawn block from its guide, in parts of the distance of the guide's points, that counts as none.
 const ON_LINE: f64 = 1e-4;
@@ -83,6 +83,10 @@ fn guided(solved: &Solved, point: PointId, id: SliderId, slider: &Slider) -> Opt
     let name = solved.mechanism.point_name(point);
     let slides = slides(slider, name);
     let is_end = matches!(&slider.along, Along::Points(a, b) if a == name || b == name);
+    // The radius changes in place of a guide along a flat profile.
+    if contact_of(solved, id.0).is_some() && solved.scene.given_by == GivenBy::Lengths && slides {
+        return None;
+    }
     let is_held = match solved.scene.given_by {
         GivenBy::Drawing => (slides || is_end) && is_on_line(solved, slider),
         GivenBy::Lengths => {
@@ -93,6 +97,12 @@ fn guided(solved: &Solved, point: PointId, id: SliderId, slider: &Slider) -> Opt
     };
     let along: Vector = *solved.pose.guides.get(id.0)?;
     is_held.then(|| (Rule::Line(along), says::held_guide(name, solved.mechanism.slider_name(id))))
+}
+
+/// The contact with a flat profile, by its index, whose pin is the slider of that index.
+pub(super) fn contact_of(solved: &Solved, slider: usize) -> Option<usize> {
+    let is_it = |contact: &Contact| matches!(contact.equivalent, Equivalent::Slider { index, .. } if index == slider);
+    solved.scene.contacts.iter().position(is_it)
 }
 
 /// Whether this point slides along the guide.

@@ -4,9 +4,12 @@
 //! To add a kind of joint: a file like `slider` with all that belongs to it, and its line in [`add_given`]. It is read
 //! by a file beside `scene/joint/slider.rs`, with a line in `scene/read.rs`.
 
+mod contact;
 mod gear;
 mod slider;
 
+pub use contact::{Contact, Touch, Touching};
+pub(super) use contact::{held_here_alone, refresh as refresh_contacts};
 pub(super) use gear::unlike_wheels;
 pub(super) use slider::guide_line;
 pub use slider::{DrivenSlide, Guide, Slider};
@@ -320,6 +323,7 @@ impl Mechanism {
 pub(super) fn add_given(scene: &Scene, mechanism: &mut Mechanism) {
     slider::add(scene, mechanism);
     gear::add(scene, mechanism);
+    contact::refresh(scene, mechanism);
 }
 
 /// Adds the pins: for a point of n bodies n − 1 of them, all at the first body of known motion, or else at the first.

@@ -1,10 +1,10 @@
 //! Sliders: prismatic joints, each with a point of one link on a straight guide of another body.
 
 use super::{AngularConstraint, Joint, Mark};
-use crate::geometry::{Point, Turn, Vector, direction_of_degrees, turn_of_degrees};
+use crate::geometry::{Point, Turn, Vector, direction_of_degrees, quarter_turn, turn_of_degrees};
 use crate::mechanism::shape::direction;
 use crate::mechanism::{Body, BodyId, GROUND, JointId, Mechanism, PointId, Role, SliderId};
-use crate::scene::{self, Along, At, GivenBy, On, Scene, SliderDrive, SlidingName};
+use crate::scene::{self, Along, At, Equivalent, GivenBy, On, Scene, SliderDrive, SlidingName};
 use crate::sheet::Order;
 use crate::words::{Notation, SlidePart, SliderNames, Wording, under};
 use smallvec::smallvec;
@@ -27,6 +27,8 @@ pub struct Slider {
     pub turned: f64,
     /// Its drive, if it is driven; the drive has no position in a drawn configuration.
     pub drive: Option<SliderDrive>,
+    /// Whether it is the pin of a contact with a flat profile, which has no slot of its own.
+    pub is_contact: bool,
 }
 
 /// A straight guide.
@@ -106,7 +108,7 @@ impl Mechanism {
             pitch: None,
             rack: None,
             belt: None,
-            marks: smallvec![Mark::Block(id)],
+            marks: if slider.is_contact { smallvec![] } else { smallvec![Mark::Block(id)] },
         });
         self.sliders.push(slider);
     }
@@ -206,7 +208,11 @@ impl Mechanism {
 
 /// Adds the sliders of a scene.
 pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
-    for given in &scene.sliders {
+    let is_contact = |index: usize| {
+        let mut contacts = scene.contacts.iter();
+        contacts.any(|contact| matches!(contact.equivalent, Equivalent::Slider { index: own, .. } if own == index))
+    };
+    for (index, given) in scene.sliders.iter().enumerate() {
         let on = match &given.on {
             On::Ground => GROUND,
             On::Link(name) => mechanism.link(name).expect("checked by the scene"),
@@ -226,6 +232,7 @@ pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
             counted_from,
             turned: given.turned_deg,
             drive: given.drive,
+            is_contact: is_contact(index),
         });
     }
 }
@@ -284,5 +291,7 @@ pub(in crate::mechanism) fn guide_line(
         Along::Direction(along) => Some(direction(Vector::from(*along))),
         Along::Degrees(angle) => Some(direction_of_degrees(*angle)),
     };
-    (through, along)
+    // To the right of its direction.
+    let beside = along.filter(|_| slider.beside != 0.0).map(|along| quarter_turn(along) * -slider.beside);
+    (through.map(|through| through + beside.unwrap_or_default()), along)
 }

@@ -1,9 +1,12 @@
 //! The joints that a scene lists, a file for each kind: its keys in the file, its checked form, the checks, and what its
 //! words name, which is all that editing has to know of it. Pins are no kind: they follow from points that links share.
 
+mod contact;
 mod gear;
 mod slider;
 
+pub use contact::{Contact, Equivalent};
+pub(super) use contact::{ContactFile, contacts, faces};
 pub use gear::{Belt, Gear, RackOf};
 pub(super) use gear::{GearFile, gears};
 pub use slider::{Along, On, Slider};
@@ -15,7 +18,7 @@ use crate::message::Message;
 use serde_json::Value as Json;
 
 /// The kinds of joints that a scene lists.
-pub(crate) const JOINTS: [&JointKind; 2] = [&slider::SLIDERS, &gear::GEARS];
+pub(crate) const JOINTS: [&JointKind; 3] = [&slider::SLIDERS, &gear::GEARS, &contact::CONTACTS];
 
 /// A kind of joint as the text of a scene has it.
 pub(crate) struct JointKind {

@@ -76,6 +76,8 @@ pub struct Slider {
     pub through: Option<At>,
     /// The direction of the guide.
     pub along: Along,
+    /// How far the guide runs beside that place, to the right of its direction: zero, but for the pin of a contact with a flat profile.
+    pub beside: f64,
     /// Angle from the guide to the sliding link's axis, in degrees; zero by default and in a drawn configuration.
     pub turned_deg: f64,
     /// The drive along the guide, if any, whether the file has it in the slider or in the sliding link; it has no
@@ -274,7 +276,18 @@ fn slider(given_by: GivenBy, names: &Names<'_>, coordinates: &Coordinates, given
         return Err(Wrong::key(&["drive", "position"], says::position_is_drawn()).hint(hint));
     }
     let SliderFile { link, at, pin, turned, drive, .. } = given;
-    Ok(Slider { link, at, pin, on, through, along, turned_deg: turned.unwrap_or(0.0), drive })
+    Ok(Slider { link, at, pin, on, through, along, beside: 0.0, turned_deg: turned.unwrap_or(0.0), drive })
+}
+
+/// The pin of a contact with a flat profile, on a guide beside this at such a distance.
+pub(super) fn face(
+    given_by: GivenBy,
+    names: &Names<'_>,
+    coordinates: &Coordinates,
+    given: SliderFile,
+    beside: f64,
+) -> Result<Slider, Wrong> {
+    slider(given_by, names, coordinates, given).map(|slider| Slider { beside, ..slider })
 }
 
 /// Refuses a link, point or pin that cannot slide on the carrier.

@@ -37,6 +37,12 @@ fn transformed(text: &str, factor: f64, by: [f64; 2]) -> String {
             }
         }
     }
+    for contact in scene["contacts"].as_array_mut().into_iter().flatten() {
+        contact["radii"].as_array_mut().into_iter().flatten().for_each(scale);
+    }
+    if scene["contacts"].is_null() {
+        scene.as_object_mut().expect("an object").remove("contacts");
+    }
     let sliders = scene.get_mut("sliders").and_then(Value::as_array_mut);
     for slider in sliders.into_iter().flatten() {
         let on_ground = slider["on"] == "ground";

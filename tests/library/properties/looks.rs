@@ -59,7 +59,30 @@ impl Look {
         for gear in scene["gears"].as_array_mut().into_iter().flatten().filter(|_| !drawn) {
             self.gear(gear);
         }
+        for contact in scene["contacts"].as_array_mut().into_iter().flatten().filter(|_| !drawn) {
+            self.contact(contact);
+        }
         clean(scene)
+    }
+
+    /// A flat profile has the other body to its right: in the mirror its direction is the opposite one.
+    fn contact(&self, contact: &mut Value) {
+        for radius in contact["radii"].as_array_mut().into_iter().flatten() {
+            *radius = json!(number(radius) * self.length);
+        }
+        let backwards = if self.sense < 0.0 { 180.0 } else { 0.0 };
+        match &contact["along"] {
+            Value::String(ends) if self.sense < 0.0 => {
+                let (from, to) = ends.split_once('-').unwrap_or_else(|| ends.split_at(1));
+                contact["along"] = json!(format!("{to}-{from}"));
+            }
+            Value::Number(along) => {
+                let along = self.sense * along.as_f64().unwrap_or(0.0) + backwards;
+                let turned = if contact["links"][1] == "ground" { self.turned } else { 0.0 };
+                contact["along"] = json!(along + turned);
+            }
+            _ => {}
+        }
     }
 
     /// Angles on a moving carrier turn with it, and those on the frame do not.
@@ -235,6 +258,20 @@ pub fn renamed(scene: &Value, names: &Names) -> Value {
         gear["on"] = json!(names.link(gear["on"].as_str().unwrap_or_default()));
         gear["mesh"] = json!(mesh);
     }
+    for contact in scene["contacts"].as_array_mut().into_iter().flatten() {
+        contact["centers"].as_array_mut().into_iter().flatten().for_each(point);
+        point(&mut contact["through"]);
+        if let Value::String(text) = &mut contact["along"] {
+            *text = pair(text);
+        }
+        let links = contact["links"].as_array_mut().into_iter().flatten();
+        for link in links {
+            *link = json!(names.link(link.as_str().unwrap_or_default()));
+        }
+        if let Value::String(name) = &mut contact["name"] {
+            *name = names.link(name);
+        }
+    }
     clean(scene)
 }
 
@@ -265,7 +302,7 @@ fn points(scene: &Value) -> Vec<String> {
 /// The scene with links, sliders and ground points in the opposite order.
 pub fn reversed(scene: &Value) -> Value {
     let mut scene = scene.clone();
-    for key in ["ground", "points", "known", "links", "sliders", "gears"] {
+    for key in ["ground", "points", "known", "links", "sliders", "gears", "contacts"] {
         match &mut scene[key] {
             Value::Array(list) => list.reverse(),
             Value::Object(entries) => *entries = std::mem::take(entries).into_iter().rev().collect(),

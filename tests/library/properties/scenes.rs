@@ -112,6 +112,9 @@ fn vary(scene: &mut Value, factor: &mut impl FnMut() -> f64) {
             }
         }
     }
+    for contact in scene["contacts"].as_array_mut().into_iter().flatten() {
+        each_number(&mut contact["radii"], factor);
+    }
     scene.as_object_mut().expect("an object").retain(|_, value| !value.is_null());
 }
 

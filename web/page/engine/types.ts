@@ -2263,6 +2263,10 @@ export interface SceneFile {
    */
   gears?: SceneGear[];
   /**
+   * Profiles that touch, as those of a cam and its follower.
+   */
+  contacts?: SceneContact[];
+  /**
    * The acceleration of free fall, in length per time²; left out: zero.
    */
   gravity?: SceneVector;
@@ -2570,6 +2574,55 @@ export interface SceneGear {
    * The pressure angle in degrees, with which the teeth push each other apart; left out: 0, only the tangential force counts.
    */
   pressure?: number;
+}
+/**
+ * Two profiles that touch, as those of a cam and its follower.
+ */
+export interface SceneContact {
+  /**
+   * The two bodies that touch: links, or "ground".
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  links: [string, string];
+  /**
+   * The centres of curvature of their profiles at the contact, a point of each, in the same order; only that of the first where the second
+   * profile is flat.
+   *
+   * @minItems 1
+   * @maxItems 2
+   */
+  centers: [string] | [string, string];
+  /**
+   * The radii of curvature in the same order, that of a hollow profile negative. In a drawn configuration they may be left out.
+   *
+   * @minItems 1
+   * @maxItems 2
+   */
+  radii?: [number] | [number, number];
+  /**
+   * The direction of the flat profile of the second body, as that of a guide; the first body lies to its right, below a face that runs to +x.
+   */
+  along?: SceneDirection;
+  /**
+   * A place on the flat profile: a point of the second body, or [x, y] on the ground or in its shape.
+   * Left out: the first point of `along`, else of the body.
+   */
+  through?: SceneNameOrPlace;
+  /**
+   * Whether the second body touches with a roller about its centre; left out: false.
+   */
+  roller?: boolean;
+  /**
+   * Whether both profiles are circles about these centres, or a circle and a straight line, so that the linkage is equivalent in every position;
+   * left out: false, in this position alone.
+   */
+  circular?: boolean;
+  /**
+   * The name of the equivalent link; left out: E1, E2 … in the order of the contacts.
+   */
+  name?: string;
 }
 /**
  * A force or a couple on a link, in the file.
