@@ -92,9 +92,8 @@ impl Solution {
         let without = self.construction.without().map(move |far| plain_text(&no_construction(&words, far)));
         let own = Wording { language, ..self.wording() };
         let friction = self.mechanism.loads.as_ref().filter(|loads| !loads.0.friction.is_empty());
-        let friction = friction.and_then(|_| {
-            warnings_of_friction(&self.mechanism, &AtPose::new(&self.mechanism, &self.pose))
-        });
+        let friction =
+            friction.and_then(|_| warnings_of_friction(&self.mechanism, &AtPose::new(&self.mechanism, &self.pose)));
         let friction = friction.into_iter().map(|warning| language.says(&warning));
         let centers = self.construction.centers.as_deref();
         let centers = centers.map(|centers| missing_of_centers(centers, &self.mechanism, &own)).unwrap_or_default();

@@ -179,7 +179,8 @@ impl Mechanism {
         // The crank's own rate.
         let mut row = vec![big(0); size + 1];
         row[2] = big(1);
-        row[size] = left(&Joint { name: String::new(), bodies: [1, 1], at: [0, 0], along: None, friction: None })[0].clone();
+        row[size] =
+            left(&Joint { name: String::new(), bodies: [1, 1], at: [0, 0], along: None, friction: None })[0].clone();
         rows.push(row);
         let found = solve(rows)?;
         let ground = [big(0), big(0), big(0)];
@@ -315,11 +316,7 @@ impl Mechanism {
 const NONE: f64 = 1e-40;
 
 /// By the size of what a joint carries: the friction on its first body, and its couple. `None` of a joint at rest, whose friction nobody knows.
-fn resisting(
-    joint: &Joint,
-    velocities: &[[Big; 3]],
-    at: impl Fn(&[Big; 3], [Big; 2]) -> [Big; 2],
-) -> Option<[Big; 3]> {
+fn resisting(joint: &Joint, velocities: &[[Big; 3]], at: impl Fn(&[Big; 3], [Big; 2]) -> [Big; 2]) -> Option<[Big; 3]> {
     let none = [big(0), big(0), big(0)];
     let Some([coefficient, radius]) = joint.friction.map(|friction| friction.map(milli)) else { return Some(none) };
     let against = |speed: Big| match speed.to_f64().value() {

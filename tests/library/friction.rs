@@ -76,7 +76,8 @@ fn friction_takes_power_from_the_drive_in_every_position() {
         { "pin": "B", "coefficient": 0.1, "radius": 12 }, { "pin": "C", "coefficient": 0.1, "radius": 9 },
     ]);
     for angle in (5..360).step_by(10) {
-        let (rough, smooth) = (slider_crank(f64::from(angle), -800.0, &all), slider_crank(f64::from(angle), -800.0, &json!([])));
+        let (rough, smooth) =
+            (slider_crank(f64::from(angle), -800.0, &all), slider_crank(f64::from(angle), -800.0, &json!([])));
         // T ω is what the drive gives.
         let more = quantity(&rough, "T(1)") - quantity(&smooth, "T(1)");
         assert!(more > 0.0, "at {angle}°: {more}");
@@ -102,9 +103,13 @@ fn what_locks_and_what_is_at_rest_is_told() {
 
 #[test]
 fn names_follow_what_is_renamed_or_removed() {
-    let mut scene = slider_crank(50.0, -1000.0, &json!([
-        { "guide": "3/ground", "coefficient": 0.1 }, { "pin": "B", "coefficient": 0.1, "radius": 12 },
-    ]));
+    let mut scene = slider_crank(
+        50.0,
+        -1000.0,
+        &json!([
+            { "guide": "3/ground", "coefficient": 0.1 }, { "pin": "B", "coefficient": 0.1, "radius": 12 },
+        ]),
+    );
     scene["want"] = json!(["power(friction(3/ground))", "power(friction(B,2))", "M_f(B,2)", "F_f(3/ground)"]);
     let text = scene.to_string();
     let edited = |edits: &[Edit]| -> Value {
@@ -123,4 +128,25 @@ fn names_follow_what_is_renamed_or_removed() {
     }
     let without: Value = edited(&[Edit::DropPoint { drop_point: "B".to_owned() }]);
     assert!(!without.to_string().contains("\"pin\""), "{without}");
+}
+
+/// What pages list has a value, or says that it has none here.
+#[test]
+fn listed_names_have_values() {
+    let scene = slider_crank(
+        50.0,
+        -1000.0,
+        &json!([
+            { "guide": "3/ground", "coefficient": 0.1 }, { "pin": "B", "coefficient": 0.1, "radius": 12 },
+        ]),
+    );
+    let solution = solved(&scene.to_string()).expect("a scene");
+    let names = kinegon::quantity::force_names(&solution.mechanism);
+    for name in &names {
+        assert!(solution.quantity(name).is_ok(), "{name}");
+    }
+    let wanted =
+        ["R(A,ground)", "R(B,1)", "M_f(B,2)", "N(3/ground)", "h(3/ground)", "F_f(3/ground)", "T(1)", "shaking"];
+    assert!(wanted.iter().all(|name| names.iter().any(|own| own == name)), "{names:?}");
+    assert!(!names.iter().any(|name| name.starts_with("M_f(A") || name.starts_with("F(")), "{names:?}");
 }
