@@ -3,7 +3,7 @@
 use super::name::{Finder, Part, QuantityError, Spot, unknown};
 use super::says;
 use crate::forces::{Source, rubbed_joints};
-use crate::mechanism::{BodyId, Class, JointId, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, Class, GROUND, JointId, Mechanism, PointId, Role, SliderId};
 use crate::message::Message;
 use crate::scene::{Analysis, Head, Loads};
 use crate::text::shown;
@@ -120,7 +120,7 @@ impl LoadOf {
             }
         }
         for joint in rubbed_joints(mechanism) {
-            for body in mechanism.joint(joint).bodies {
+            for body in mechanism.joint(joint).bodies.into_iter().filter(|body| *body != GROUND) {
                 add(Source::Friction(joint), Some(body));
             }
         }
