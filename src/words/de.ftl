@@ -773,8 +773,6 @@ scene-no_page = es gibt kein Papierformat "{$name}"
 scene-no_unit = es gibt keine Längeneinheit "{$name}"
 scene-did_you_mean = meinten Sie `{$name}`?
 scene-joints_out_of_scope = Glieder sind durch Drehgelenke, gerade Schubgelenke (`sliders`), Räder, Zahnstangen und Riemen (`gears`) und Profile, die sich berühren, wie die von Kurvenscheiben (`contacts`), verbunden
-scene-forces_out_of_scope = Bewegungen folgen aus den Antrieben: Kräfte, Massen, Federn und Reibung gehören nicht dazu
-scene-joints_out_of_scope = Glieder sind durch Drehgelenke, gerade Schubgelenke, Zahnradpaare, Zahnstangen und Riemen verbunden: Kurvenscheiben gehören nicht dazu
 scene-forces_out_of_scope = Lasten sind `mass`, `inertia` und `center` eines Gliedes sowie `gravity`, `forces`, `springs` und `friction` der Szene; Dämpfer gibt es nicht
 
 # What a form asks for.

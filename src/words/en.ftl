@@ -802,8 +802,6 @@ scene-no_page = there is no page "{$name}"
 scene-no_unit = there is no unit of length "{$name}"
 scene-did_you_mean = did you mean `{$name}`?
 scene-joints_out_of_scope = links are joined by pins, straight sliders (`sliders`), wheels, racks and belts (`gears`), and profiles that touch, as those of cams (`contacts`)
-scene-forces_out_of_scope = motions follow from the drives: forces, masses, springs and friction are out of scope
-scene-joints_out_of_scope = links are joined by pins, straight sliders, gear pairs, racks and belts: cams are out of scope
 scene-forces_out_of_scope = loads are `mass`, `inertia` and `center` of a link, and `gravity`, `forces`, `springs` and `friction` of the scene; there are no dampers
 
 # What a form asks for.

@@ -771,8 +771,6 @@ scene-no_page = no existe la página "{$name}"
 scene-no_unit = no existe la unidad de longitud "{$name}"
 scene-did_you_mean = ¿quiso decir `{$name}`?
 scene-joints_out_of_scope = los eslabones se unen por articulaciones, correderas rectas (`sliders`), ruedas, cremalleras y correas (`gears`), y perfiles que se tocan, como los de levas (`contacts`)
-scene-forces_out_of_scope = los movimientos se siguen de los accionamientos: fuerzas, masas, muelles y rozamiento quedan fuera
-scene-joints_out_of_scope = los eslabones se unen por articulaciones, correderas rectas, pares de engranajes, cremalleras y correas: las levas quedan fuera
 scene-forces_out_of_scope = las cargas son `mass`, `inertia` y `center` de un eslabón, y `gravity`, `forces`, `springs` y `friction` de la escena; no hay amortiguadores
 
 # What a form asks for.

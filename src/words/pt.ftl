@@ -773,8 +773,6 @@ scene-no_page = não existe a página "{$name}"
 scene-no_unit = não existe a unidade de comprimento "{$name}"
 scene-did_you_mean = você quis dizer `{$name}`?
 scene-joints_out_of_scope = os elos se unem por pinos, cursores retos (`sliders`), rodas, cremalheiras e correias (`gears`), e perfis que se tocam, como os de cames (`contacts`)
-scene-forces_out_of_scope = os movimentos decorrem dos acionamentos: forças, massas, molas e atrito ficam de fora
-scene-joints_out_of_scope = os elos se unem por pinos, cursores retos, pares de engrenagens, cremalheiras e correias: os cames ficam de fora
 scene-forces_out_of_scope = as cargas são `mass`, `inertia` e `center` de um elo, e `gravity`, `forces`, `springs` e `friction` da cena; não há amortecedores
 
 # What a form asks for.
