@@ -5,7 +5,7 @@ use super::lines::Lines;
 use super::view::Series;
 use crate::construction::kennedy::missing_of_centers;
 use crate::construction::{FigureOf, contacts_told};
-use crate::cycle::{Centrode, Times};
+use crate::cycle::{Centrode, Times, told_engagement};
 use crate::geometry::Place;
 use crate::text::Untrusted;
 use crate::words::{Medium, NumberStyle};
@@ -105,7 +105,10 @@ fn forces(context: &SheetContext<'_>) -> Option<String> {
 pub(super) fn sentence_on_paths(context: &SheetContext<'_>) -> Option<String> {
     let shown = |name: &str| context.told(name, None);
     let contacts = contacts_told(context.mechanism(), &context.words, &shown).into_iter();
-    let all = contacts.chain(ticks(context)).chain(centrodes(context)).chain(inflection(context));
+    let off = context.solution.off_guides().map(|message| format!("{}.", context.words.language.says(&message)));
+    let engaged = told_engagement(context.solution, &context.words);
+    let all =
+        contacts.chain(off).chain(engaged).chain(ticks(context)).chain(centrodes(context)).chain(inflection(context));
     let all: Vec<String> = all.collect();
     (!all.is_empty()).then(|| all.join(" "))
 }

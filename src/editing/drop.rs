@@ -121,7 +121,8 @@ fn remove_friction(document: &mut Document<'_>, names: &Names, what: Named, name
     let renamer = Renamer::new(names, what, name, "\u{1}");
     let is_gone = |friction: &Json| {
         let guide = friction["guide"].as_str();
-        (what == Named::Point && friction["pin"] == *name) || guide.is_some_and(|name| renamer.plan_name(name).is_some())
+        (what == Named::Point && friction["pin"] == *name)
+            || guide.is_some_and(|name| renamer.plan_name(name).is_some())
     };
     remove_entries(document, &["friction"], &is_gone)
 }

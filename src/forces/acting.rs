@@ -3,7 +3,9 @@
 use super::{Counted, Posed};
 use crate::geometry::{Ball, Pair, Solvable};
 use crate::mechanism::{BodyId, GROUND, JointId, Mechanism, PointId, SliderId};
-use crate::scene::{Amount, Analysis, Friction, Gauge, GivenBy, Grip, LinkPlace, Load, Mass, Over, Spring, SpringEnd, RubbingJoint};
+use crate::scene::{
+    Amount, Analysis, Friction, Gauge, GivenBy, Grip, LinkPlace, Load, Mass, Over, RubbingJoint, Spring, SpringEnd,
+};
 use std::marker::PhantomData;
 
 /// Where a load comes from.

@@ -214,9 +214,8 @@ fn reactions(
                 force: force.into(),
                 force_error: bounds.of_force_vector(force, read),
                 friction,
-                friction_error: friction.map(|friction| {
-                    bounds.of_force(friction, |f, _| Some(f.friction_at_pin(mechanism, pin, body)))
-                }),
+                friction_error: friction
+                    .map(|friction| bounds.of_force(friction, |f, _| Some(f.friction_at_pin(mechanism, pin, body)))),
             };
             Some((mechanism.body(body).name.clone(), result))
         };

@@ -50,11 +50,11 @@ pub use choices::{
 };
 pub use error::{Place, SceneError};
 pub use figure::Figure;
+pub use friction::{Friction, Grip, RubbingJoint};
 pub use given::{Drive, GivenBy, LinkMotion, PointMotion, SliderDrive};
 pub use joint::*;
 pub use kinds::Kind;
 pub use link::{Length, Link, Shape};
-pub use friction::{Friction, Grip, RubbingJoint};
 pub use loads::{Amount, Analysis, LinkPlace, Load, Loads, Mass, Spring, SpringEnd};
 pub use over::{Gauge, Over};
 pub use points::Near;
