@@ -634,7 +634,8 @@ fn geneva_wheels_are_engaged_while_the_pin_is_in_the_slot() {
         let (least, greatest) = ((apart - crank).abs(), apart + crank);
         let open = least + (greatest - least) * (0.15 + 0.7 * from(0.0, dice) / 100.0);
         let away = libm::acos((crank * crank + apart * apart - open * open) / (2.0 * crank * apart));
-        let (angle, omega) = (away.to_degrees() * from(-50.0, dice) / 60.0, from(-50.0, dice) + 0.03);
+        let angle = libm::round(away.to_degrees() * from(-50.0, dice) / 6.0) / 10.0;
+        let omega = from(-50.0, dice) + 0.03;
         let theta = Jet([angle.to_radians(), omega, 0.0]);
         let arm = [Jet::constant(crank) * theta.cos() - Jet::constant(apart), Jet::constant(crank) * theta.sin()];
         let wheel = Jet::angle(arm[1], arm[0]);
@@ -647,7 +648,8 @@ fn geneva_wheels_are_engaged_while_the_pin_is_in_the_slot() {
         near(number(&s, "omega(3)"), wheel.0[1], 50.0, &scene(angle));
         near(number(&s, "alpha(3)"), wheel.0[2], 1e4, &scene(angle));
         let result = s.result();
-        assert_eq!((result.sliders["B/3"].engaged, result.warnings.len()), (Some(true), 0));
+        assert_eq!(result.sliders["B/3"].engaged, Some(true));
+        assert!(result.warnings.is_empty(), "{:?}\n{}", result.warnings, scene(angle));
         let mut path =
             Path::new(&s.mechanism, &s.pose, Drive::new(&s.mechanism, None).expect("a drive")).expect("in the slot");
         path.cover(None, None).expect("from end to end");
