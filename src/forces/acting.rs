@@ -105,6 +105,14 @@ pub(super) enum Rub {
 }
 
 impl Grip {
+    /// sin φ of the angle of friction.
+    fn sine(self) -> f64 {
+        match self {
+            Grip::Coefficient(tangent) => tangent / (1.0 + tangent * tangent).sqrt(),
+            Grip::Angle(angle) => Pair::direction_of_degrees(Ball::decimal(angle)).y.high,
+        }
+    }
+
     /// tan φ and sin φ of the angle of friction.
     pub(super) fn tangent_and_sine<N: Counted>(self, posed: &impl Posed<N>) -> [N; 2] {
         match self {
@@ -175,6 +183,16 @@ pub(crate) fn rubbed_joints(mechanism: &Mechanism) -> Vec<JointId> {
     let loads = mechanism.loads.iter().map(|loads| &loads.0);
     let all = loads.flat_map(|loads| &loads.friction).flat_map(|friction| rubbed(mechanism, friction));
     all.map(|(joint, _)| joint).collect()
+}
+
+/// The pins with friction, and the radii of their circles of friction, r sin φ.
+pub(crate) fn friction_circles(mechanism: &Mechanism) -> Vec<(PointId, f64)> {
+    let loads = mechanism.loads.iter().map(|loads| &loads.0);
+    let circle = |friction: &Friction| match &friction.joint {
+        RubbingJoint::Pin { point, radius } => Some((mechanism.point(point)?, radius * friction.grip.sine())),
+        RubbingJoint::Guide(_) => None,
+    };
+    loads.flat_map(|loads| &loads.friction).filter_map(circle).collect()
 }
 
 /// The joints that have this friction.

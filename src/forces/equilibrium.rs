@@ -143,7 +143,7 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
         if unknowns.len() != size {
             return None;
         }
-        let mut found = self.solved(bodies, &unknowns)?;
+        let mut found = self.solved(bodies, &unknowns, &[])?;
         if unknowns.iter().any(|unknown| self.leans(unknown)) {
             found = self.leaning(bodies, &mut unknowns, found)?;
         }
@@ -165,13 +165,13 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
     /// The forces with what they bring with them, from those without; `None` where friction locks, and where no bound is proved.
     ///
     /// What they bring hangs on their directions and signs alone, so that the solution with those of the last one is a step of
-    /// Newton's. Balls that hold all that comes of their own directions hold a solution, by Brouwer's theorem.
+    /// Newton's. Balls that hold all that comes of what is within them hold a solution, by Brouwer's theorem.
     fn leaning(&self, bodies: &[BodyId], unknowns: &mut [Unknown<N>], mut found: Vec<N>) -> Option<Vec<N>> {
         let mut is_settled = false;
         for _ in 0..MOST_TIMES {
             let rounded: Vec<N> = found.iter().map(|number| number.rounded()).collect();
             self.lean(unknowns, &rounded);
-            let next = self.solved(bodies, unknowns)?;
+            let next = self.solved(bodies, unknowns, &[])?;
             is_settled = N::are_settled(&found, &next);
             found = next;
             if is_settled {
@@ -185,7 +185,7 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
             let largest = found.iter().fold(N::default(), |largest, &x| largest.larger(x).larger(-x));
             let room: Vec<N> = found.iter().map(|number| number.roomier(largest)).collect();
             self.lean(unknowns, &room);
-            found = self.solved(bodies, unknowns)?;
+            found = self.solved(bodies, unknowns, &self.beside(unknowns, &room))?;
             if found.iter().zip(room).all(|(number, room)| number.is_within(room)) {
                 return Some(found);
             }
@@ -193,22 +193,33 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
         None
     }
 
+    /// What a pin carries.
+    fn of_pin(unknowns: &[Unknown<N>], found: &[N], joint: JointId) -> Pair<N> {
+        let parts = unknowns.iter().zip(found).filter_map(|(unknown, &x)| match *unknown {
+            Unknown::Joint(own, Part::Pin(along, _)) if own == joint => Some(along * x),
+            _ => None,
+        });
+        parts.fold(Pair::default(), |sum, part| sum + part)
+    }
+
+    /// By joint: the couple of friction on its second body that is beside that of a pin's force as it leans, while it may be anywhere within
+    /// its bounds.
+    fn beside(&self, unknowns: &[Unknown<N>], found: &[N]) -> Vec<(JointId, N)> {
+        let all = self.resisting.iter().enumerate().filter_map(|(joint, resisting)| match resisting {
+            Some(Resisting::Couple(by_size)) => Some((JointId(joint), *by_size)),
+            _ => None,
+        });
+        let beside = |(joint, by_size)| (joint, by_size * N::beyond_way(Self::of_pin(unknowns, found, joint)));
+        all.map(beside).collect()
+    }
+
     /// Makes forces lean as these ask for.
     fn lean(&self, unknowns: &mut [Unknown<N>], found: &[N]) {
-        let of_pin = |joint: JointId| {
-            let parts = unknowns.iter().zip(found).filter_map(|(unknown, &x)| match *unknown {
-                Unknown::Joint(own, Part::Pin(along, _)) if own == joint => Some(along * x),
-                _ => None,
-            });
-            N::way(parts.fold(Pair::default(), |sum, part| sum + part))
+        let way = |unknown: &Unknown<N>| match *unknown {
+            Unknown::Joint(joint, Part::Pin(..)) if self.leans(unknown) => N::way(Self::of_pin(unknowns, found, joint)),
+            _ => Pair::default(),
         };
-        let ways: Vec<Pair<N>> = unknowns
-            .iter()
-            .map(|unknown| match *unknown {
-                Unknown::Joint(joint, Part::Pin(..)) if self.leans(unknown) => of_pin(joint),
-                _ => Pair::default(),
-            })
-            .collect();
+        let ways: Vec<Pair<N>> = unknowns.iter().map(way).collect();
         for ((unknown, &x), way) in unknowns.iter_mut().zip(found).zip(ways) {
             let Unknown::Joint(joint, part) = unknown else { continue };
             match (part, self.resisting.get(joint.0).copied().flatten()) {
@@ -226,8 +237,8 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
         }
     }
 
-    /// The unknowns that keep these bodies in equilibrium.
-    fn solved(&self, bodies: &[BodyId], unknowns: &[Unknown<N>]) -> Option<Vec<N>> {
+    /// The unknowns that keep these bodies in equilibrium; `beside` has couples on the second bodies of joints.
+    fn solved(&self, bodies: &[BodyId], unknowns: &[Unknown<N>], beside: &[(JointId, N)]) -> Option<Vec<N>> {
         let mut equations = Equations::new(3 * bodies.len(), bodies.len());
         let row = |body: BodyId| bodies.iter().position(|&own| own == body);
         for (column, &unknown) in unknowns.iter().enumerate() {
@@ -244,6 +255,13 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
             equations.add_right(2 * row, -force.x);
             equations.add_right(2 * row + 1, -force.y);
             equations.add_right(2 * bodies.len() + row, -moment);
+        }
+        for &(joint, couple) in beside {
+            for (body, couple) in self.mechanism.joint(joint).bodies.into_iter().zip([-couple, couple]) {
+                if let Some(row) = row(body) {
+                    equations.add_right(2 * bodies.len() + row, -couple);
+                }
+            }
         }
         equations.solved()
     }

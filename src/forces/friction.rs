@@ -70,7 +70,7 @@ pub(super) fn at_rest(mechanism: &Mechanism, posed: &impl Posed<Ball>, list: &Lo
     let resisting = resisting(mechanism, posed, list);
     let rests = |id: &JointId| match resisting.get(id.0).copied().flatten() {
         Some(Resisting::Couple(couple)) => is_open(couple),
-        Some(Resisting::Along(force)) => is_open(force.x) && is_open(force.y),
+        Some(Resisting::Along(force)) => is_open(force.x) || is_open(force.y),
         None => false,
     };
     mechanism.joint_ids().filter(rests).collect()

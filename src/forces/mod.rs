@@ -37,7 +37,7 @@ mod says;
 
 use acting::LoadList;
 pub use acting::Source;
-pub(crate) use acting::{center, rubbed_joints};
+pub(crate) use acting::{center, friction_circles, rubbed_joints};
 pub use carried::{Agreement, Drive, Forces};
 pub use compiled::Compiled;
 pub(crate) use equilibrium::{driven, own_joint};
@@ -85,8 +85,10 @@ pub(crate) trait Counted: Solvable {
     fn factor(self, over: &Over) -> Self;
     /// 1 or −1 by its sign; 0 up to the size `least`. A number that may be smaller, or have either sign, has all from −1 to 1.
     fn sense(self, least: Self) -> Self;
-    /// The unit vector along a vector; none of what is zero.
+    /// The unit vector along a vector, without its bounds; none of what is zero.
     fn way(vector: Pair<Self>) -> Pair<Self>;
+    /// By how much the size of a vector exceeds its part along [`Self::way`], anywhere within its bounds.
+    fn beyond_way(vector: Pair<Self>) -> Self;
     /// The number without its bound.
     fn rounded(self) -> Self;
     /// Whether all numbers are what they were, to the digits of f64 in parts of the largest.
@@ -127,8 +129,21 @@ impl Counted for Ball {
 
     fn way(vector: Pair<Ball>) -> Pair<Ball> {
         let size = vector.dot(vector).sqrt();
-        let any = Ball { radius: 1.0, ..Ball::default() };
-        if size.smallest() > 0.0 { vector * (Ball::from(1.0) / size) } else { Pair { x: any, y: any } }
+        let way = if size.smallest() > 0.0 { vector * (Ball::from(1.0) / size) } else { Pair::default() };
+        Pair { x: way.x.middle(), y: way.y.middle() }
+    }
+
+    fn beyond_way(vector: Pair<Ball>) -> Ball {
+        let way = Ball::way(vector);
+        let (size, along, across) = (vector.dot(vector).sqrt(), vector.dot(way), vector.cross(way));
+        // |v|² = along² + across², but for the rounding of the unit vector, which all of it is allowed for.
+        let whole = size - along;
+        let by_parts = across * across / (size + along);
+        if by_parts.is_known() && by_parts.radius < whole.radius {
+            by_parts.widened(vector.x.largest().max(vector.y.largest()) * ROOM)
+        } else {
+            whole
+        }
     }
 
     fn rounded(self) -> Ball {
@@ -168,6 +183,10 @@ impl Counted for f64 {
     fn way(vector: Pair<f64>) -> Pair<f64> {
         let size = vector.dot(vector).sqrt();
         if size == 0.0 { vector } else { vector * (1.0 / size) }
+    }
+
+    fn beyond_way(_: Pair<f64>) -> f64 {
+        0.0
     }
 
     fn rounded(self) -> f64 {
@@ -213,6 +232,10 @@ impl Counted for Several {
         Pair { x: Several(ways.map(|way| way.x)), y: Several(ways.map(|way| way.y)) }
     }
 
+    fn beyond_way(_: Pair<Several>) -> Several {
+        Several::default()
+    }
+
     fn rounded(self) -> Several {
         self
     }
@@ -242,9 +265,6 @@ pub(crate) fn forces(mechanism: &Mechanism, posed: &(impl Posed<Ball> + Places))
 /// What is to be said of friction at a pose: that it locks, or that it counts as nothing in joints at rest.
 pub(crate) fn warnings_of_friction(mechanism: &Mechanism, posed: &(impl Posed<Ball> + Places)) -> Option<Message> {
     let list = LoadList::new(mechanism).filter(|list| !list.friction.is_empty())?;
-    if equilibrium::carried(mechanism, posed, &list).is_none() {
-        return equilibrium::carried(mechanism, posed, &list.without_friction()).map(|_| says::friction_locks());
-    }
     let at_rest = friction::at_rest(mechanism, posed, &list);
     let name = |joint: JointId| {
         let joint = mechanism.joint(joint);
@@ -255,7 +275,16 @@ pub(crate) fn warnings_of_friction(mechanism: &Mechanism, posed: &(impl Posed<Ba
     };
     let names: IndexSet<String> = at_rest.into_iter().map(name).collect();
     let names: Vec<String> = names.into_iter().collect();
-    (!names.is_empty()).then(|| says::friction_at_rest(names.join(", ")))
+    let is_found = equilibrium::carried(mechanism, posed, &list).is_some();
+    match (is_found, names.is_empty()) {
+        (true, true) => None,
+        (true, false) => Some(says::friction_at_rest(names.join(", "))),
+        (false, false) => Some(says::friction_leaves_open(names.join(", "))),
+        (false, true) => {
+            let smooth = equilibrium::carried(mechanism, posed, &list.without_friction());
+            smooth.map(|_| says::friction_locks())
+        }
+    }
 }
 
 /// A pose and its motion, whose numbers count as exact.

@@ -5,4 +5,5 @@ use crate::message::messages;
 messages! { "forces":
     friction_locks;
     friction_at_rest(joints);
+    friction_leaves_open(joints);
 }

@@ -22,7 +22,8 @@ impl Builder {
     ///     .gravity([0.0, -9810.0])
     ///     .load("3", NewLoad::force("C", [-150.0, -60.0]).named("P"))
     ///     .load("2", NewLoad::couple(-4000.0).over("angle(1)", [[0.0, 0.0], [90.0, 1.0], [180.0, 0.0]]))
-    ///     .spring(NewSpring::between(("3", "C"), ("ground", [200.0, 180.0])).rate(0.4).length(60.0));
+    ///     .spring(NewSpring::between(("3", "C"), ("ground", [200.0, 180.0])).rate(0.4).length(60.0))
+    ///     .friction_at_pin("B", 0.12, 10.0);
     /// let solution = kinegon::solve(&builder.build()?)?;
     /// let torque = solution.quantity("T(1)")?.as_number();
     /// assert!(torque.abs() > 1000.0, "{torque}");
@@ -55,6 +56,22 @@ impl Builder {
     /// Adds a spring.
     pub fn spring(mut self, spring: NewSpring) -> Builder {
         self.file.push("springs", spring.0.in_order(&["springs", ""]));
+        self
+    }
+}
+
+impl Builder {
+    /// Adds Coulomb friction of this coefficient at a pin, whose journal has this radius.
+    pub fn friction_at_pin(mut self, pin: &str, coefficient: f64, radius: f64) -> Builder {
+        let friction = Object::default().with("pin", pin).with("coefficient", &coefficient).with("radius", &radius);
+        self.file.push("friction", friction.in_order(&["friction", ""]));
+        self
+    }
+
+    /// Adds Coulomb friction of this coefficient in the guide of a slider, called as in results: `"3/ground"`.
+    pub fn friction_in_guide(mut self, guide: &str, coefficient: f64) -> Builder {
+        let friction = Object::default().with("guide", guide).with("coefficient", &coefficient);
+        self.file.push("friction", friction.in_order(&["friction", ""]));
         self
     }
 }

@@ -1303,6 +1303,7 @@ quantity-no_scale_in_table = eine Tabelle hat keinen Maßstab
 
 forces-friction_locks = die Reibung sperrt das Getriebe in dieser Lage: kein Antrieb bewegt es in diese Richtung, daher gibt es keine Kräfte
 forces-friction_at_rest = in Ruhe kann die Reibung alles bis zu ihrer Grenze sein: in {$joints} zählt sie nicht, und die angegebenen Fehler lassen sie ganz zu
+forces-friction_leaves_open = in Ruhe kann die Reibung alles bis zu ihrer Grenze sein, und die in {$joints} lässt offen, was Gelenke tragen: es gibt keine Kräfte
 
 
 ## Errors and warnings: cycle
@@ -1924,6 +1925,14 @@ page-mechanism-add_force = Kraft
 page-mechanism-add_couple = Moment
 page-mechanism-add_mass = Masse
 page-mechanism-add_spring = Feder
+page-mechanism-add_friction = Reibung
+page-mechanism-pin_of = Zapfen {$name}
+page-mechanism-guide_of = Führung {$name}
+page-mechanism-friction_of = Reibung: {$name}
+page-mechanism-coefficient = Reibungszahl
+page-mechanism-friction_angle = Reibungswinkel
+page-mechanism-journal = Radius des Zapfens
+page-mechanism-joint = Gelenk
 page-mechanism-acts_at = Wirkt an
 page-mechanism-acts_on = Wirkt auf
 page-mechanism-gravity = Schwerkraft

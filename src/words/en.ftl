@@ -1336,6 +1336,7 @@ quantity-no_scale_in_table = a table has no scale
 
 forces-friction_locks = friction locks the mechanism in this position: no drive moves it this way, so no forces are shown
 forces-friction_at_rest = at rest, friction may be anything up to its limit: it counts as nothing in {$joints}, and the stated errors allow all of it
+forces-friction_leaves_open = at rest, friction may be anything up to its limit, and that of {$joints} leaves open what joints carry: no forces are shown
 
 
 ## Errors and warnings: cycle
@@ -1957,6 +1958,14 @@ page-mechanism-add_force = Force
 page-mechanism-add_couple = Couple
 page-mechanism-add_mass = Mass
 page-mechanism-add_spring = Spring
+page-mechanism-add_friction = Friction
+page-mechanism-pin_of = Pin {$name}
+page-mechanism-guide_of = Guide {$name}
+page-mechanism-friction_of = Friction: {$name}
+page-mechanism-coefficient = Coefficient of friction
+page-mechanism-friction_angle = Angle of friction
+page-mechanism-journal = Radius of the journal
+page-mechanism-joint = Joint
 page-mechanism-acts_at = Acts at
 page-mechanism-acts_on = Acts on
 page-mechanism-gravity = Gravity

@@ -1301,6 +1301,7 @@ quantity-no_scale_in_table = una tabla no tiene escala
 
 forces-friction_locks = el rozamiento bloquea el mecanismo en esta posición: ningún accionamiento lo mueve en este sentido, así que no se muestran fuerzas
 forces-friction_at_rest = en reposo el rozamiento puede ser cualquiera hasta su límite: en {$joints} cuenta como nulo, y los errores indicados lo admiten entero
+forces-friction_leaves_open = en reposo el rozamiento puede ser cualquiera hasta su límite, y el de {$joints} deja abierto lo que llevan los pares: no se muestran fuerzas
 
 
 ## Errors and warnings: cycle
@@ -1922,6 +1923,14 @@ page-mechanism-add_force = Fuerza
 page-mechanism-add_couple = Par
 page-mechanism-add_mass = Masa
 page-mechanism-add_spring = Resorte
+page-mechanism-add_friction = Rozamiento
+page-mechanism-pin_of = Pasador {$name}
+page-mechanism-guide_of = Guía {$name}
+page-mechanism-friction_of = Rozamiento: {$name}
+page-mechanism-coefficient = Coeficiente de rozamiento
+page-mechanism-friction_angle = Ángulo de rozamiento
+page-mechanism-journal = Radio del muñón
+page-mechanism-joint = Par
 page-mechanism-acts_at = Actúa en
 page-mechanism-acts_on = Actúa sobre
 page-mechanism-gravity = Gravedad

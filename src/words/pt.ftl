@@ -1303,6 +1303,7 @@ quantity-no_scale_in_table = uma tabela não tem escala
 
 forces-friction_locks = o atrito bloqueia o mecanismo nesta posição: nenhum acionamento o move neste sentido, pelo que não se mostram forças
 forces-friction_at_rest = em repouso o atrito pode ser qualquer um até ao seu limite: em {$joints} conta como nulo, e os erros indicados admitem-no todo
+forces-friction_leaves_open = em repouso o atrito pode ser qualquer um até ao seu limite, e o de {$joints} deixa em aberto o que as juntas suportam: não se mostram forças
 
 
 ## Errors and warnings: cycle
@@ -1924,6 +1925,14 @@ page-mechanism-add_force = Força
 page-mechanism-add_couple = Binário
 page-mechanism-add_mass = Massa
 page-mechanism-add_spring = Mola
+page-mechanism-add_friction = Atrito
+page-mechanism-pin_of = Pino {$name}
+page-mechanism-guide_of = Guia {$name}
+page-mechanism-friction_of = Atrito: {$name}
+page-mechanism-coefficient = Coeficiente de atrito
+page-mechanism-friction_angle = Ângulo de atrito
+page-mechanism-journal = Raio do munhão
+page-mechanism-joint = Junta
 page-mechanism-acts_at = Atua em
 page-mechanism-acts_on = Atua sobre
 page-mechanism-gravity = Gravidade

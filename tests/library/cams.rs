@@ -533,10 +533,9 @@ fn contacts_have_no_friction() {
             "forces": [ { "on": "2", "at": "F", "force": [0, -100] } ], "friction": [friction] })
     };
     let refused = |friction: Value| kinegon::solve(&Scene::read(&scene(friction).to_string()).expect("a scene"));
-    for friction in [
-        json!({ "guide": "K/2", "coefficient": 0.1 }),
-        json!({ "pin": "K", "coefficient": 0.1, "radius": 5 }),
-    ] {
+    for friction in
+        [json!({ "guide": "K/2", "coefficient": 0.1 }), json!({ "pin": "K", "coefficient": 0.1, "radius": 5 })]
+    {
         let error = refused(friction).expect_err("it is no joint that rubs").to_string();
         assert!(error.contains("stands for profiles that touch"), "{error}");
     }

@@ -97,6 +97,17 @@ fn a_slider_crank_with_all_loads_is_as_one_by_one() {
 }
 
 #[test]
+fn a_slider_crank_with_friction_is_as_one_by_one() {
+    let mut scene = slider_crank();
+    scene["friction"] = json!([
+        { "guide": "3/ground", "coefficient": 0.08 }, { "pin": "A", "coefficient": 0.1, "radius": 12 },
+        { "pin": "B", "angle": 5, "radius": 10 }, { "pin": "C", "coefficient": 0.1, "radius": 7 },
+    ]);
+    let forces = ["R(B,2)", "N(3/ground)", "T(1)", "F_f(3/ground)", "M_f(B,2)", "power(friction(C,2))", "shaking"];
+    are_as_solved(scene, "1", [10.0, 370.0], &forces);
+}
+
+#[test]
 fn groups_of_higher_class_are_as_one_by_one() {
     let paper: Value = serde_json::from_str(&files::read("tests/forces/figure-2.json")).expect("JSON");
     are_as_solved(paper, "1", [40.0, 100.0], &["R(B,2)", "R(E,5)", "R(G,ground)", "N(3/2)", "F_i(4)"]);

@@ -89,6 +89,7 @@ mod forces;
 mod forces_checked;
 mod forms;
 mod free_bodies;
+mod friction;
 mod fuzzed;
 mod gallery_measured;
 mod gears;

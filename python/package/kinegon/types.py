@@ -306,6 +306,23 @@ class Spring(TypedDict):
     """For people; ignored"""
 
 
+class Friction(TypedDict):
+    """Friction in the joints at a pin or in a guide, in the file."""
+
+    pin: NotRequired[str]
+    """The point of a pin."""
+    guide: NotRequired[str]
+    """The name of a slider, as "3/ground" or "P/3"."""
+    coefficient: NotRequired[float]
+    """The coefficient of friction."""
+    angle: NotRequired[float]
+    """The angle of friction in degrees, in place of the coefficient."""
+    radius: NotRequired[float]
+    """The radius of the pin's journal, in the scene's unit of length; of a pin alone."""
+    note: NotRequired[object]
+    """For people; ignored"""
+
+
 #: Whether inertia counts among the loads.
 Analysis = Literal["dynamic", "static"]
 
@@ -477,6 +494,8 @@ class SceneFile(_SceneFileKeys):
     """Forces and couples on links."""
     springs: NotRequired[Sequence[Spring]]
     """Springs between links."""
+    friction: NotRequired[Sequence[Friction]]
+    """Coulomb friction in joints, which counts where loads press on them."""
     analysis: NotRequired[Analysis]
     """Whether inertia counts among the loads; left out: dynamic."""
     near: NotRequired[Mapping[str, NearValue]]
@@ -890,6 +909,10 @@ class ForceResult(TypedDict):
     """Its components."""
     force_error: NotRequired[Union[float, None]]
     """Bound on the error of both components."""
+    friction: NotRequired[Union[float, None]]
+    """The couple of friction that it receives beside; left out at a pin without friction."""
+    friction_error: NotRequired[Union[float, None]]
+    """Bound on the error of `friction`."""
 
 
 class GuideForceResult(TypedDict):
@@ -907,6 +930,10 @@ class GuideForceResult(TypedDict):
     """How far from the slider's point along the guide the line of the force runs; left out where there is no force across the guide."""
     offset_error: NotRequired[Union[float, None]]
     """Bound on the error of `offset`."""
+    friction: NotRequired[Union[float, None]]
+    """The friction along the guide, in its direction; left out of a guide without friction."""
+    friction_error: NotRequired[Union[float, None]]
+    """Bound on the error of `friction`."""
 
 
 class MeshForceResult(TypedDict):

@@ -11,7 +11,7 @@ use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
 use crate::drawing::text::RichText;
 use crate::drawing::view::{on_sheet, towards};
-use crate::forces::Source;
+use crate::forces::{Source, friction_circles};
 use crate::geometry;
 use crate::mechanism::{BodyId, Role};
 use kurbo::{Point, Vec2};
@@ -35,12 +35,18 @@ impl SchemeOnPaper<'_> {
         canvas.step = 0;
         let largest = plan.loads.iter().map(|load| load.force.norm()).fold(0.0, f64::max);
         self.centers_of_mass(canvas, plan);
+        self.circles_of_friction(canvas);
         // Given forces have a choice of places, weights nearly none.
         let mut all: Vec<(usize, &LoadShown)> = plan.loads.iter().enumerate().collect();
         all.sort_by_key(|(_, load)| is_of_mass(load));
         // Which way inertia acts students find.
         let is_for_students = self.context.purpose == Purpose::Exercise && !self.context.figure().worksheet;
-        let is_shown = |load: &LoadShown| !(is_for_students && load.source == Source::Inertia);
+        // Of friction what one side of its joint receives.
+        let is_shown = |load: &LoadShown| match load.source {
+            Source::Inertia => !is_for_students,
+            Source::Friction(joint) => self.mechanism.joint(joint).rubbed() == load.body,
+            _ => true,
+        };
         all.retain(|(_, load)| is_shown(load));
         for (index, load) in all.into_iter().filter(|(_, load)| load.force.norm() > NOTHING * largest) {
             self.force(canvas, index, load);
@@ -77,6 +83,14 @@ impl SchemeOnPaper<'_> {
                 canvas.draw(Pen::ImagePoint, Shape::Circle { center: self.view.at(load.at), radius: CENTER });
                 seen.push(load.at);
             }
+        }
+    }
+
+    /// The circles of friction, true to scale: what a pin carries with its friction is one force that touches its circle.
+    fn circles_of_friction(&self, canvas: &mut Canvas<'_>) {
+        for (pin, radius) in friction_circles(self.mechanism) {
+            let radius = radius / self.view.mu();
+            canvas.draw(Pen::Special, Shape::Circle { center: self.at(pin), radius });
         }
     }
 

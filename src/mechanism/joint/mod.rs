@@ -14,7 +14,7 @@ pub(super) use gear::unlike_wheels;
 pub(super) use slider::guide_line;
 pub use slider::{DrivenSlide, Guide, Slider};
 
-use super::{BodyId, JointId, Mechanism, PointId, SliderId};
+use super::{BodyId, GROUND, JointId, Mechanism, PointId, SliderId};
 use crate::geometry::{Number, Pair, Point, Turn, Vector, degrees_of, turn_of_degrees};
 use crate::scene::Scene;
 use smallvec::{SmallVec, smallvec};
@@ -263,6 +263,12 @@ impl Joint {
     pub(crate) fn rolling(&self) -> Option<Rolling> {
         let wheels = self.pitch.or_else(|| self.belt?.similitude());
         wheels.map(Rolling::Wheels).or_else(|| self.rack.map(Rolling::Rack))
+    }
+
+    /// The body of which friction in the joint is shown; the frame's is not.
+    pub(crate) fn rubbed(&self) -> BodyId {
+        let [first, second] = self.bodies;
+        if second == GROUND { first } else { second }
     }
 
     /// Whether it constrains places: the place of one of its bodies then limits that of the other. Loops run over such

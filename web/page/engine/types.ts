@@ -2279,6 +2279,10 @@ export interface SceneFile {
    */
   springs?: SceneSpring[];
   /**
+   * Coulomb friction in joints, which counts where loads press on them.
+   */
+  friction?: SceneFriction[];
+  /**
    * Whether inertia counts among the loads; left out: dynamic.
    */
   analysis?: SceneAnalysis;
@@ -2686,6 +2690,31 @@ export interface SceneSpring {
    * Its length without a force.
    */
   length: number;
+}
+/**
+ * Friction in the joints at a pin or in a guide, in the file.
+ */
+export interface SceneFriction {
+  /**
+   * The point of a pin.
+   */
+  pin?: string;
+  /**
+   * The name of a slider, as "3/ground" or "P/3".
+   */
+  guide?: string;
+  /**
+   * The coefficient of friction.
+   */
+  coefficient?: number;
+  /**
+   * The angle of friction in degrees, in place of the coefficient.
+   */
+  angle?: number;
+  /**
+   * The radius of the pin's journal, in the scene's unit of length; of a pin alone.
+   */
+  radius?: number;
 }
 /**
  * What the figure shows, and how large.

@@ -1,4 +1,4 @@
-/** What the form's buttons do about masses, forces and springs. */
+/** What the form's buttons do about masses, forces, springs and friction. */
 import { SHEETS, type Edit } from "../../engine/types.ts";
 import { at, hasLoads, isDrawn, listOf, names, pointsOn, unitsOf, type Draft } from "../parts/scene.ts";
 import type { Command, Present } from "./commands.ts";
@@ -28,6 +28,14 @@ export const LOAD_COMMANDS: Record<string, Command> = {
     const length = Number((0.8 * Math.hypot(b[0] - a[0], b[1] - a[1])).toPrecision(2));
     return [...withUnits(scene, ["force"]), ...withPanel(scene), added(scene, "springs", { between: ends, rate: 1, length })];
   },
+  friction: ({ scene, places }, joint) => {
+    const [where, name] = parts(joint!);
+    if (where === "guide") return [added(scene, "friction", { guide: name, coefficient: 0.1 })];
+    // A journal that can be seen beside the links.
+    const all = [...places.values()];
+    const size = Math.max(...[0, 1].map((axis) => Math.max(...all.map((place) => place[axis]!)) - Math.min(...all.map((place) => place[axis]!))));
+    return [added(scene, "friction", { pin: name, coefficient: 0.1, radius: Number((0.05 * size).toPrecision(1)) })];
+  },
   gravity: ({ scene }) => [{ set: ["gravity"], value: [0, -freeFall(scene)] }],
   drop_of: ({ scene }, list, index) => [{ remove: listOf(scene, list as "forces").length === 1 ? [list!] : [list!, Number(index)] }],
   spot: (present, form, link, ...path) => {
@@ -44,7 +52,7 @@ function parts(spot: string): [string, string] {
 }
 
 /** The change that adds an entry to a list, which there may not be yet. */
-function added(scene: Draft, list: "forces" | "springs", entry: object): Edit {
+function added(scene: Draft, list: "forces" | "springs" | "friction", entry: object): Edit {
   const count = listOf(scene, list).length;
   return count === 0 ? { set: [list], value: [entry] } : { set: [list, count], value: entry };
 }

@@ -10,9 +10,9 @@ import { say } from "./words.ts";
 const UNITS = { mass: ["kg", "g", "t", "lb", "slug", "blob"], force: ["N", "kN", "mN", "kgf", "lbf"] };
 
 /** How far one press of an arrow key goes: values of loads have no common size. */
-const STEP = { mass: 0.1, inertia: 100, force: 10, couple: 100, rate: 0.1 };
+const STEP = { mass: 0.1, inertia: 100, force: 10, couple: 100, rate: 0.1, coefficient: 0.01 };
 
-/** Masses, forces, couples and springs, a card each; gravity, whether inertia counts, and their units. */
+/** Masses, forces, couples, springs and friction, a card each; gravity, whether inertia counts, and their units. */
 export function loads(scene: Draft): Group {
   const isLoaded = hasLoads(scene);
   const masses = linksOf(scene).filter((link) => hasMass(scene, link)).map((link) => massCard(scene, link));
@@ -22,8 +22,13 @@ export function loads(scene: Draft): Group {
     help: say("loads_help"),
     path: ["forces"],
     folded: !isLoaded,
-    cards: [...masses, ...forceCards(scene), ...listOf(scene, "springs").map((spring, index) => springCard(scene, spring, index))],
-    rows: [...(linksOf(scene).length === 0 ? [] : [adders()]), ...(isLoaded ? [gravity(scene), analysis(scene), units()] : [])],
+    cards: [
+      ...masses,
+      ...forceCards(scene),
+      ...listOf(scene, "springs").map((spring, index) => springCard(scene, spring, index)),
+      ...listOf(scene, "friction").map((friction, index) => frictionCard(scene, friction, index)),
+    ],
+    rows: [...(linksOf(scene).length === 0 ? [] : [adders(scene)]), ...(isLoaded ? [gravity(scene), analysis(scene), units()] : [])],
   };
 }
 
@@ -51,9 +56,23 @@ function* spotsFromGround(scene: Draft): Iterable<Listed> {
   yield* spots(scene);
 }
 
+/** The pins and guides without friction, as `pin:B` and `guide:3/ground`. */
+function* smoothJoints(scene: Draft): Iterable<Listed> {
+  const taken = listOf(scene, "friction").map((friction) => String(at(friction, ["pin"]) ?? at(friction, ["guide"])));
+  const bodies = ["ground", ...linksOf(scene)].map((body) => pointsOn(scene, body));
+  for (const name of new Set(bodies.flat())) {
+    const isPin = bodies.filter((points) => points.includes(name)).length > 1;
+    if (isPin && !taken.includes(name)) yield { value: `pin:${name}`, text: say("pin_of", { name }) };
+  }
+  for (const slider of listOf(scene, "sliders")) {
+    const name = `${at(slider, ["link"]) ?? at(slider, ["at"])}/${at(slider, ["on"])}`;
+    if (!taken.includes(name)) yield { value: `guide:${name}`, text: say("guide_of", { name }) };
+  }
+}
+
 /** What adds something. */
-function adders(): Row {
-  const adder = (what: "force" | "couple" | "mass" | "spring", path: Path, ...lists: Adder["lists"]): Adder => {
+function adders(scene: Draft): Row {
+  const adder = (what: "force" | "couple" | "mass" | "spring" | "friction", path: Path, ...lists: Adder["lists"]): Adder => {
     const text = say(`add_${what}`);
     return { kind: "adder", path, label: text, text, ask: { do: what, with: [] }, lists };
   };
@@ -63,6 +82,8 @@ function adders(): Row {
       adder("couple", ["forces", "+couple"], { label: say("acts_on"), options: linkNames }),
       adder("mass", ["links", "+mass"], { label: say("link"), options: linksWithoutMass }),
       adder("spring", ["springs", "+"], { label: say("from"), options: spots }, { label: say("to"), options: spotsFromGround }),
+      // Where nothing presses, nothing rubs.
+      ...(hasLoads(scene) ? [adder("friction", ["friction", "+"], { label: say("joint"), options: smoothJoints })] : []),
     ],
   };
 }
@@ -220,5 +241,24 @@ function springCard(scene: Draft, spring: unknown, index: number): Card {
       }),
     ],
     buttons: [{ text: say("drop_load", { name }), icon: "remove", ask: { do: "drop_of", with: ["springs", String(index)] } }],
+  };
+}
+
+function frictionCard(scene: Draft, friction: unknown, index: number): Card {
+  const path: Path = ["friction", index];
+  const pin = at(friction, ["pin"]);
+  const where = pin === undefined ? say("guide_of", { name: String(at(friction, ["guide"]) ?? "") }) : say("pin_of", { name: String(pin) });
+  const name = say("friction_of", { name: where });
+  const amount: Field =
+    at(friction, ["angle"]) === undefined
+      ? { kind: "number", path: [...path, "coefficient"], label: say("coefficient"), symbol: "μ", unit: "", step: STEP.coefficient, least: 0, needed: true }
+      : { kind: "number", path: [...path, "angle"], label: say("friction_angle"), symbol: "φ", unit: "°", step: 1, least: 0, needed: true };
+  const radius: Field = { kind: "number", path: [...path, "radius"], label: say("journal"), symbol: "r", unit: unitsOf(scene).length, step: stepFor(sizeOf(scene)), least: 0, needed: true };
+  return {
+    path,
+    title: name,
+    line: () => [{ fields: pin === undefined ? [amount] : [amount, radius] }],
+    rows: () => [],
+    buttons: [{ text: say("drop_load", { name }), icon: "remove", ask: { do: "drop_of", with: ["friction", String(index)] } }],
   };
 }

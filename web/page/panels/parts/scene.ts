@@ -62,7 +62,7 @@ export function linksOf(scene: Draft): string[] {
 }
 
 /** The entries of one of the scene's lists; none where that is no list yet. */
-export function listOf(scene: Draft, key: "sliders" | "forces" | "springs"): readonly unknown[] {
+export function listOf(scene: Draft, key: "sliders" | "forces" | "springs" | "friction"): readonly unknown[] {
   return Array.isArray(scene[key]) ? scene[key] : [];
 }
 

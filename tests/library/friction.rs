@@ -1,0 +1,131 @@
+//! Friction in joints against closed forms, hands that solve again and again, and what is said where it locks or is not known. Random mechanisms
+//! with friction are in `free_bodies.rs`.
+
+use kinegon::editing::{Edit, Named, apply};
+use serde_json::{Value, json};
+use support::stages::solved;
+
+/// Errors allowed, in parts of a number.
+const OFF: f64 = 1e-12;
+
+/// A crank of 60 mm at this angle, a rod of 180 mm, a force of 1000 N on the slider against its motion away from the crank.
+fn slider_crank(angle: f64, force: f64, friction: &Value) -> Value {
+    json!({
+        "kinegon": 1, "units": { "length": "mm", "time": "s", "force": "N" }, "ground": { "A": [0, 0] },
+        "links": {
+            "1": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "angle": angle, "omega": 10 } },
+            "2": { "points": ["B", "C"], "lengths": { "BC": 180 } },
+            "3": { "points": ["C"] },
+        },
+        "sliders": [{ "link": "3", "at": "C", "on": "ground", "through": [0, 0], "along": 0 }],
+        "forces": [{ "on": "3", "at": "C", "force": [force, 0] }],
+        "friction": friction, "near": { "C": [200, 0] },
+    })
+}
+
+fn quantity(scene: &Value, name: &str) -> f64 {
+    let solution = solved(&scene.to_string()).unwrap_or_else(|error| panic!("{error}\n{scene}"));
+    solution.quantity(name).unwrap_or_else(|error| panic!("{error}\n{scene}")).as_number()
+}
+
+fn is_about(found: f64, expected: f64, what: &str) {
+    assert!((found - expected).abs() <= OFF * expected.abs().max(1.0), "{what} is {found}, not {expected}");
+}
+
+/// A rod without mass pushes along itself at the angle β, so the guide carries N = X tan β; X (1 ± μ tan β) is the force on the slider.
+#[test]
+fn a_guide_resists_with_its_coefficient_times_its_force() {
+    for angle in [30.0_f64, 75.0, 120.0, 200.0, 290.0] {
+        let (sine, cosine) = angle.to_radians().sin_cos();
+        let beta = (60.0 * sine / 180.0).asin();
+        let omega_2 = -60.0 * 10.0 * cosine / (180.0 * beta.cos());
+        let speed = -600.0 * sine - 180.0 * -beta.sin() * omega_2;
+        // What the slider needs along its guide is more than 1000 N where it moves against the force, else less.
+        let sense = speed.signum();
+        // X + 1000·(−sense) − sense·μ|N| = 0 with the force against the motion, |N| = X |tan β|.
+        let push = 1000.0 / (1.0 - 0.2 * beta.tan().abs());
+        let scene = slider_crank(angle, -1000.0 * sense, &json!([{ "guide": "3/ground", "coefficient": 0.2 }]));
+        is_about(quantity(&scene, "R(C,3).x"), sense * push, "R(C,3).x");
+        is_about(quantity(&scene, "F_f(3/ground)"), -sense * 0.2 * push * beta.tan().abs(), "the friction");
+        // An angle says the same.
+        let degrees = 0.2_f64.atan().to_degrees();
+        let by_angle = slider_crank(angle, -1000.0 * sense, &json!([{ "guide": "3/ground", "angle": degrees }]));
+        is_about(quantity(&by_angle, "T(1)"), quantity(&scene, "T(1)"), "T(1) by an angle");
+    }
+}
+
+/// In a rod with friction at both pins alone the force runs along a line that touches both circles of friction (S. Timoshenko and others): here on
+/// opposite sides, so that it is turned from the rod by the angle whose sine is the sum of the radii over the rod's length.
+#[test]
+fn a_rod_carries_its_force_along_the_common_tangent_of_its_circles() {
+    let pins = json!([{ "pin": "B", "coefficient": 0.15, "radius": 20 }, { "pin": "C", "angle": 8, "radius": 15 }]);
+    let scene = slider_crank(50.0, -1000.0, &pins);
+    let rod = (-60.0 * 50.0_f64.to_radians().sin() / 180.0).asin();
+    let radii = 20.0 * 0.15_f64.atan().sin() + 15.0 * 8.0_f64.to_radians().sin();
+    // Links 1 and 2 turn against each other, and the rod turns the same way against the slider: both couples add up.
+    let turned = (radii / 180.0).asin();
+    let across = quantity(&scene, "R(B,2).y") / quantity(&scene, "R(B,2).x");
+    is_about(across, (rod + turned).tan(), "the slope of the force");
+    is_about(quantity(&scene, "R(B,2).x"), 1000.0, "R(B,2).x");
+}
+
+#[test]
+fn friction_takes_power_from_the_drive_in_every_position() {
+    let all = json!([
+        { "guide": "3/ground", "coefficient": 0.1 }, { "pin": "A", "coefficient": 0.1, "radius": 12 },
+        { "pin": "B", "coefficient": 0.1, "radius": 12 }, { "pin": "C", "coefficient": 0.1, "radius": 9 },
+    ]);
+    for angle in (5..360).step_by(10) {
+        let (rough, smooth) =
+            (slider_crank(f64::from(angle), -800.0, &all), slider_crank(f64::from(angle), -800.0, &json!([])));
+        // T ω is what the drive gives.
+        let more = quantity(&rough, "T(1)") - quantity(&smooth, "T(1)");
+        assert!(more > 0.0, "at {angle}°: {more}");
+    }
+}
+
+#[test]
+fn what_locks_and_what_is_at_rest_is_told() {
+    let warnings = |scene: &Value| {
+        let solution = solved(&scene.to_string()).unwrap_or_else(|error| panic!("{error}\n{scene}"));
+        (solution.warnings().collect::<Vec<_>>().join("\n"), solution.forces().is_some())
+    };
+    let guide = |coefficient: f64| json!([{ "guide": "3/ground", "coefficient": coefficient }]);
+    // At 80° the rod stands at 19.2°: with μ above cot 19.2° = 2.88 it locks.
+    for (coefficient, is_free) in [(2.8, true), (2.95, false)] {
+        let (said, has_forces) = warnings(&slider_crank(80.0, 1000.0, &guide(coefficient)));
+        assert_eq!((has_forces, said.contains("friction locks")), (is_free, !is_free), "{coefficient}: {said}");
+    }
+    let (said, has_forces) = warnings(&slider_crank(0.0, -1000.0, &guide(0.1)));
+    assert!(has_forces && said.contains("at rest") && said.contains("3/ground"), "{said}");
+    assert_eq!(warnings(&slider_crank(50.0, -1000.0, &guide(0.1))), (String::new(), true));
+}
+
+#[test]
+fn names_follow_what_is_renamed_or_removed() {
+    let mut scene = slider_crank(
+        50.0,
+        -1000.0,
+        &json!([
+            { "guide": "3/ground", "coefficient": 0.1 }, { "pin": "B", "coefficient": 0.1, "radius": 12 },
+        ]),
+    );
+    scene["want"] = json!(["power(friction(3/ground))", "power(friction(B,2))", "M_f(B,2)", "F_f(3/ground)"]);
+    let text = scene.to_string();
+    let edited = |edits: &[Edit]| -> Value {
+        serde_json::from_str(&apply(&text, edits).unwrap_or_else(|error| panic!("{error}"))).expect("JSON")
+    };
+    let rename = |what, from: &str, to: &str| Edit::Rename { rename: what, from: from.to_owned(), to: to.to_owned() };
+    let other = edited(&[rename(Named::Link, "3", "7"), rename(Named::Point, "B", "Q"), rename(Named::Link, "2", "9")]);
+    assert_eq!(other["friction"][0]["guide"], "7/ground");
+    assert_eq!(other["friction"][1]["pin"], "Q");
+    let wanted = json!(["power(friction(7/ground))", "power(friction(Q,9))", "M_f(Q,9)", "F_f(7/ground)"]);
+    assert_eq!(other["want"], wanted);
+    let solution = solved(&other.to_string()).expect("it is the same mechanism");
+    for name in wanted.as_array().expect("names") {
+        let name = name.as_str().expect("a name");
+        assert!(solution.quantity(name).expect(name).as_number() != 0.0, "{name}");
+    }
+    let without: Value = edited(&[Edit::DropPoint { drop_point: "B".to_owned() }]);
+    assert!(!without.to_string().contains("\"pin\""), "{without}");
+}
