@@ -93,7 +93,7 @@ impl Solution {
         mechanism.slider_ids().filter_map(|id| {
             let ([low, high], at) = (mechanism.slider(id).travel?, pose.slides[id.0]?);
             let is_off = !(low..=high).contains(&at);
-            is_off.then(|| off_guide(mechanism.slider_name(id), format!("{at:.6}"), low, high))
+            is_off.then(|| off_guide(mechanism.slider_name(id), format!("{at:.4}"), low, high))
         })
     }
 
