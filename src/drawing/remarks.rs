@@ -6,6 +6,7 @@ use super::view::Series;
 use crate::construction::kennedy::missing_of_centers;
 use crate::construction::{FigureOf, contacts_told};
 use crate::cycle::{Centrode, Times, told_engagement};
+use crate::forces::Source;
 use crate::geometry::Place;
 use crate::text::Untrusted;
 use crate::words::{Medium, NumberStyle};
@@ -101,14 +102,21 @@ fn forces(context: &SheetContext<'_>) -> Option<String> {
     Some(context.words.language.forces_differ(&difference, &allowed))
 }
 
+/// The sentence on friction among the loads of a plan.
+fn friction(context: &SheetContext<'_>) -> Option<String> {
+    let mut loads = context.construction().forces.as_ref()?.loads.iter();
+    let is_there = loads.any(|load| matches!(load.source, Source::Friction(_)));
+    is_there.then(|| context.words.language.friction_told().to_owned())
+}
+
 /// The sentences on what the scheme shows of a cycle besides the position, and on inflection circles, in markup.
 pub(super) fn sentence_on_paths(context: &SheetContext<'_>) -> Option<String> {
     let shown = |name: &str| context.told(name, None);
     let contacts = contacts_told(context.mechanism(), &context.words, &shown).into_iter();
     let off = context.solution.off_guides().map(|message| sentence(&context.words.language.says(&message)));
     let engaged = told_engagement(context.solution, &context.words);
-    let all =
-        contacts.chain(off).chain(engaged).chain(ticks(context)).chain(centrodes(context)).chain(inflection(context));
+    let told = contacts.chain(off).chain(engaged).chain(friction(context));
+    let all = told.chain(ticks(context)).chain(centrodes(context)).chain(inflection(context));
     let all: Vec<String> = all.collect();
     (!all.is_empty()).then(|| all.join(" "))
 }

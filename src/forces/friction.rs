@@ -13,7 +13,7 @@
 use super::acting::{Acting, LoadList, Rub, Source, Wrench};
 use super::{Counted, Posed};
 use crate::geometry::{Ball, Pair, Solvable};
-use crate::mechanism::{JointId, Mechanism};
+use crate::mechanism::{GROUND, JointId, Mechanism};
 
 /// Rates below this part of the largest are none: what is left of zero by rounding.
 const AT_REST: f64 = 1e-10;
@@ -76,7 +76,7 @@ pub(super) fn at_rest(mechanism: &Mechanism, posed: &impl Posed<Ball>, list: &Lo
     mechanism.joint_ids().filter(rests).collect()
 }
 
-/// What friction does to the bodies of the joints, as loads: what both sides of a joint receive.
+/// What friction does to the bodies of the joints, as loads: what both sides of a joint receive, but for the frame.
 pub(super) fn as_loads<N: Solvable>(
     mechanism: &Mechanism,
     posed: &impl Posed<N>,
@@ -91,5 +91,5 @@ pub(super) fn as_loads<N: Solvable>(
             Acting { source, body: first, at, force: -force, couple: -moment },
         ]
     };
-    friction.flat_map(both).collect()
+    friction.flat_map(both).filter(|load| load.body != GROUND).collect()
 }

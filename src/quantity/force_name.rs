@@ -3,7 +3,7 @@
 use super::name::{Finder, Part, QuantityError, Spot, unknown};
 use super::says;
 use crate::forces::{Source, rubbed_joints};
-use crate::mechanism::{BodyId, Class, JointId, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, Class, GROUND, JointId, Mechanism, PointId, Role, SliderId};
 use crate::message::Message;
 use crate::scene::{Analysis, Head, Loads};
 use crate::text::shown;
@@ -120,12 +120,43 @@ impl LoadOf {
             }
         }
         for joint in rubbed_joints(mechanism) {
-            for body in mechanism.joint(joint).bodies {
+            for body in mechanism.joint(joint).bodies.into_iter().filter(|body| *body != GROUND) {
                 add(Source::Friction(joint), Some(body));
             }
         }
         all
     }
+}
+
+/// Names of what joints carry and drives need in a mechanism with loads; none without.
+#[must_use]
+pub fn force_names(mechanism: &Mechanism) -> Vec<String> {
+    if mechanism.loads.is_none() {
+        return Vec::new();
+    }
+    let rubbed = rubbed_joints(mechanism);
+    let mut names = Vec::new();
+    for pin in mechanism.point_ids() {
+        let at_pin = |joint: &JointId| mechanism.joint(*joint).pin == Some(pin);
+        let has_friction = rubbed.iter().any(at_pin);
+        let joints: Vec<JointId> = mechanism.joint_ids().filter(at_pin).collect();
+        let is_joined = |body: &BodyId| joints.iter().any(|joint| mechanism.joint(*joint).bodies.contains(body));
+        for body in mechanism.body_ids().filter(|body| is_joined(body) && !mechanism.body(*body).is_nameless()) {
+            let subject = format!("({},{})", mechanism.point_name(pin), mechanism.body(body).name);
+            names.push(format!("R{subject}"));
+            names.extend(has_friction.then(|| format!("M_f{subject}")));
+        }
+    }
+    for id in mechanism.slider_ids() {
+        let name = mechanism.slider_name(id);
+        names.extend(["N", "M", "h"].map(|head| format!("{head}({name})")));
+        names.extend(rubbed.contains(&mechanism.slider_joint(id)).then(|| format!("F_f({name})")));
+        names.extend(mechanism.slider(id).drive.map(|_| format!("F({name})")));
+    }
+    let turned = mechanism.bodies.iter().filter(|body| matches!(body.role, Role::Driver { .. }));
+    names.extend(turned.map(|body| format!("T({})", body.name)));
+    names.push("shaking".to_owned());
+    names
 }
 
 impl Finder<'_> {

@@ -169,6 +169,7 @@ cut_at_edge = am Rand abgeschnitten
 names_without_room = kein Platz für alle Namen
 names_left_out = kein Platz für:
 loads_without_scale = Lasten sind ohne Maßstab gezeichnet.
+friction_told = Die Reibung wird mit den Kräften gefunden: F^{"{"}f{"}"} = μ |N| längs Führungen, M^{"{"}f{"}"} = ρ |R| an Zapfen, ρ der Radius des Reibungskreises.
 at_infinity = {$point} im Unendlichen
 paths = Marken auf der Bahn von {$points}: alle {$step} des Antriebs {$drive}.
 paths_in_time = Marken auf der Bahn von {$points}: alle {$step} des Antriebs {$drive}, das heißt alle {$time}.

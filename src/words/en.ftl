@@ -180,6 +180,7 @@ names_without_room = no room for all names
 # Before a list of them.
 names_left_out = no room for:
 loads_without_scale = Loads are drawn without a scale.
+friction_told = Friction is found with the forces: F^{"{"}f{"}"} = μ |N| along guides, M^{"{"}f{"}"} = ρ |R| at pins, ρ the radius of the circle of friction.
 at_infinity = {$point} at infinity
 paths = Ticks on the path of {$points}: every {$step} of drive {$drive}.
 paths_in_time = Ticks on the path of {$points}: every {$step} of drive {$drive}, that is every {$time}.

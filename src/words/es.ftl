@@ -167,6 +167,7 @@ cut_at_edge = recortado en el borde
 names_without_room = no caben todos los nombres
 names_left_out = no caben:
 loads_without_scale = Las cargas se dibujan sin escala.
+friction_told = El rozamiento se halla junto con las fuerzas: F^{"{"}f{"}"} = μ |N| a lo largo de guías, M^{"{"}f{"}"} = ρ |R| en pasadores, ρ el radio del círculo de rozamiento.
 at_infinity = {$point} en el infinito
 paths = Marcas en la trayectoria de {$points}: cada {$step} de la pieza motriz {$drive}.
 paths_in_time = Marcas en la trayectoria de {$points}: cada {$step} de la pieza motriz {$drive}, es decir, cada {$time}.

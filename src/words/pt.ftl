@@ -169,6 +169,7 @@ cut_at_edge = cortado na borda
 names_without_room = não cabem todos os nomes
 names_left_out = não cabem:
 loads_without_scale = As cargas são desenhadas sem escala.
+friction_told = O atrito encontra-se com as forças: F^{"{"}f{"}"} = μ |N| ao longo de guias, M^{"{"}f{"}"} = ρ |R| em pinos, ρ o raio do círculo de atrito.
 at_infinity = {$point} no infinito
 paths = Marcas na trajetória de {$points}: a cada {$step} do acionamento {$drive}.
 paths_in_time = Marcas na trajetória de {$points}: a cada {$step} do acionamento {$drive}, ou seja, a cada {$time}.

@@ -212,6 +212,7 @@ sentences! {
     /// Before a list of them.
     names_left_out;
     loads_without_scale;
+    friction_told;
     at_infinity(point);
     paths(points, step, drive);
     paths_in_time(points, step, drive, time);

@@ -129,3 +129,24 @@ fn names_follow_what_is_renamed_or_removed() {
     let without: Value = edited(&[Edit::DropPoint { drop_point: "B".to_owned() }]);
     assert!(!without.to_string().contains("\"pin\""), "{without}");
 }
+
+/// What pages list has a value, or says that it has none here.
+#[test]
+fn listed_names_have_values() {
+    let scene = slider_crank(
+        50.0,
+        -1000.0,
+        &json!([
+            { "guide": "3/ground", "coefficient": 0.1 }, { "pin": "B", "coefficient": 0.1, "radius": 12 },
+        ]),
+    );
+    let solution = solved(&scene.to_string()).expect("a scene");
+    let names = kinegon::quantity::force_names(&solution.mechanism);
+    for name in &names {
+        assert!(solution.quantity(name).is_ok(), "{name}");
+    }
+    let wanted =
+        ["R(A,ground)", "R(B,1)", "M_f(B,2)", "N(3/ground)", "h(3/ground)", "F_f(3/ground)", "T(1)", "shaking"];
+    assert!(wanted.iter().all(|name| names.iter().any(|own| own == name)), "{names:?}");
+    assert!(!names.iter().any(|name| name.starts_with("M_f(A") || name.starts_with("F(")), "{names:?}");
+}

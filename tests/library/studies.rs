@@ -141,3 +141,45 @@ fn above(mean: f64, a: f64) -> f64 {
     let end = libm::acos(mean / a);
     2.0 * (a * libm::sin(end) - mean * end)
 }
+
+/// Forces of mechanisms with other lengths, masses at their own places and friction among them, are those of each by itself.
+#[test]
+fn forces_are_those_of_each_mechanism_by_itself() {
+    let scene = |crank: f64, rod: f64| {
+        serde_json::json!({
+            "kinegon": 1, "units": { "length": "mm", "time": "s", "mass": "kg", "force": "N" }, "ground": { "A": [0, 0] },
+            "links": {
+                "1": { "points": ["A", "B"], "lengths": { "AB": crank }, "drive": { "angle": 50, "omega": 30 } },
+                "2": { "points": ["B", "C"], "lengths": { "BC": rod }, "mass": 0.8, "inertia": 2100, "center": 45 },
+                "3": { "points": ["C"], "mass": 0.6, "center": "C" },
+            },
+            "sliders": [{ "link": "3", "at": "C", "on": "ground", "through": [0, 5], "along": 2 }],
+            "gravity": [0, -9810], "forces": [{ "on": "3", "at": "C", "force": [-400, 0] }],
+            "friction": [{ "guide": "3/ground", "coefficient": 0.1 }, { "pin": "B", "coefficient": 0.1, "radius": 9 }],
+            "near": { "C": [190, 0] },
+        })
+        .to_string()
+    };
+    let study = format!(
+        r#"{{ "kinegon_study": 1, "scene": {}, "count": 60, "seed": 9,
+            "vary": {{ "1.AB": {{ "from": 40, "to": 70 }}, "2.BC": {{ "from": 120, "to": 220 }} }},
+            "cycle": {{ "from": 50, "to": 52, "step": 1 }},
+            "want": {{ "T(1)": ["at_scene"], "R(B,2).size": ["at_scene"], "F_f(3/ground)": ["at_scene"] }} }}"#,
+        scene(50.0, 150.0)
+    );
+    let study = StudyFile::read(&study).expect("a study");
+    let study = study.of(Scene::read(&scene(50.0, 150.0)).expect("a scene")).expect("it moves");
+    let names: Vec<String> = study.columns().into_iter().map(|column| column.name).collect();
+    let at = |name: &str| names.iter().position(|other| other == name).expect("a column");
+    let rows = study.rows(0..study.count());
+    for row in rows.chunks_exact(names.len()) {
+        let alone = scene(row[at("1.AB")], row[at("2.BC")]);
+        let alone = solve(&Scene::read(&alone).expect("a scene")).expect("it can be assembled");
+        for name in ["T(1)", "R(B,2).size", "F_f(3/ground)"] {
+            let own = alone.quantity(name).expect("a value").as_number();
+            let found = row[at(&format!("{name}.at_scene"))];
+            assert!((found - own).abs() <= 1e-9 * (own.abs() + 1.0), "{name}: {found} in place of {own}");
+        }
+    }
+    assert_eq!(rows.len(), 60 * names.len());
+}

@@ -231,7 +231,8 @@ impl Teller<'_> {
                 format!("Σ M_{{{point}}} = 0 :  {}", self.found(moment.finds)).into()
             }
             ForceStep::LayOff(polygon, side) | ForceStep::Join(polygon, side) => {
-                self.force_symbol(self.side(*polygon, *side)?.1.of).into()
+                let of = self.side(*polygon, *side)?.1.of;
+                format!("{}{}", self.force_symbol(of), self.coulomb(of).unwrap_or_default()).into()
             }
             ForceStep::Direction(polygon, _) | ForceStep::Cross(polygon, _) => self.polygon_equation(*polygon)?,
             ForceStep::Close(polygon, side) => {
@@ -242,6 +243,15 @@ impl Teller<'_> {
             ForceStep::Push(slider, _) => self.push_symbol(*slider).into(),
             ForceStep::ByNumbers(_) => Formula::default(),
         })
+    }
+
+    /// What the friction along a guide is: the coefficient times the force across.
+    fn coulomb(&self, of: ForceOf) -> Option<String> {
+        let ForceOf::Load(index) = of else { return None };
+        let load = self.construction.forces.as_ref()?.loads.get(index)?;
+        let Source::Friction(joint) = load.source else { return None };
+        let normal = ForceOf::Joint { joint, on: load.body, part: ForcePart::Normal };
+        Some(format!(" = μ |{}|", self.force_symbol(normal)))
     }
 
     /// The equation of a polygon, in the order of its sides: those that are known underlined twice, known directions once.

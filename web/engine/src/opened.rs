@@ -6,7 +6,7 @@ use kinegon::cycle::every_name;
 use kinegon::drawing::{FigureSheets, RichText, SheetLabels};
 use kinegon::format::{self, html_text};
 use kinegon::mechanism::Mechanism;
-use kinegon::quantity::{QuantityName, QuantityRequest, measured_names};
+use kinegon::quantity::{QuantityName, QuantityRequest, force_names, measured_names};
 use kinegon::scene::{Argument, GivenBy, SizeLimit};
 use kinegon::words::Wording;
 use kinegon::{Sheet, Solution, order_of_result};
@@ -32,6 +32,7 @@ impl Desk {
         });
         let (scene, mechanism) = (&solution.scene, &solution.mechanism);
         let mut quantities = every_name(mechanism);
+        quantities.extend(force_names(mechanism));
         quantities.extend(measured_names(&solution.construction));
         let named = |name: &String| quantity(name, mechanism);
         let is_traceable = |name: &&String| scene.check_traced(&[(*name).clone()], None).is_ok();
