@@ -147,7 +147,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 33] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 34] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -285,6 +285,13 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 33] = [
         "tests/cams/profiles.json",
         "draw scene.json",
         "Two profiles of which the contact alone is known, as drawn: arcs about their centres of curvature, and the link that is equivalent to them.",
+        Kind::Figure(|_| ()),
+    ),
+    (
+        "geneva",
+        "tests/cams/geneva.json",
+        "draw scene.json",
+        "A Geneva wheel by the slot that is engaged, with its ends: in which part of a turn it moves stands below.",
         Kind::Figure(|_| ()),
     ),
     (

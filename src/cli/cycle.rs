@@ -138,6 +138,7 @@ impl Range {
             }));
         }
         ends(words).iter().for_each(|end| note(end));
+        branch.told_engagement(words).iter().for_each(|said| note(said));
         Ok(())
     }
 }

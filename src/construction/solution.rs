@@ -11,7 +11,9 @@ use super::step::Action;
 use super::writer::Writer;
 use crate::centers::LinkPair;
 use crate::forces::{AtPose, Forces, forces, warnings_of_friction};
+use crate::mechanism::says::off_guide;
 use crate::mechanism::{AngularRate, BodyId, GROUND, Group, LoopEquations, Mechanism, PointId};
+use crate::message::Message;
 use crate::motion::{Motion, MotionError, motion};
 use crate::position::Pose;
 use crate::scene::{CentersShown, ConstructionShown, Figure, Scene};
@@ -85,6 +87,16 @@ impl Solution {
         self.warnings_in(Wording::default().language)
     }
 
+    /// What is said of sliders beyond an end of their guides.
+    pub(crate) fn off_guides(&self) -> impl Iterator<Item = Message> {
+        let Solution { mechanism, pose, .. } = self;
+        mechanism.slider_ids().filter_map(|id| {
+            let ([low, high], at) = (mechanism.slider(id).travel?, pose.slides[id.0]?);
+            let is_off = !(low..=high).contains(&at);
+            is_off.then(|| off_guide(mechanism.slider_name(id), format!("{at:.4}"), low, high))
+        })
+    }
+
     /// The same in another language.
     pub fn warnings_in(&self, language: &'static Language) -> impl Iterator<Item = String> {
         let found = [&self.mechanism.warnings, &self.pose.warnings, &self.motion.warnings];
@@ -98,7 +110,9 @@ impl Solution {
         let centers = self.construction.centers.as_deref();
         let centers = centers.map(|centers| missing_of_centers(centers, &self.mechanism, &own)).unwrap_or_default();
         let centers = centers.into_iter().map(|sentence| plain_text(&sentence));
-        found.into_iter().flatten().map(|warning| language.says(warning)).chain(without).chain(centers).chain(friction)
+        let off = self.off_guides().map(|message| language.says(&message));
+        let found = found.into_iter().flatten().map(|warning| language.says(warning)).chain(off);
+        found.chain(without).chain(centers).chain(friction)
     }
 }
 

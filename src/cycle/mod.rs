@@ -24,6 +24,7 @@ mod centrode;
 mod certain;
 mod curve;
 mod drive;
+mod dwell;
 mod event;
 mod kept;
 mod known;
@@ -54,6 +55,7 @@ pub use certain::CertainExtreme;
 pub use curve::{Curve, Curves, Extreme};
 pub(crate) use drive::differing_drives;
 pub use drive::{Drive, alone};
+pub use dwell::told_engagement;
 pub use kept::Kept;
 pub use locus::{Hodograph, Hodographs, PointPath, PointPaths, Tick};
 pub use mover::Mover;
@@ -82,6 +84,8 @@ pub enum CycleError {
     Drawn,
     /// Profiles that touch are known at their contact alone.
     AtContact,
+    /// In the scene's own position a slider of this name is beyond an end of its guide.
+    OffGuide(String),
     /// Mechanisms to be computed side by side are not of one kind: the number of the one that differs, from 0.
     NotOfOneKind(usize),
     /// The mechanism has no drive.
@@ -133,6 +137,7 @@ impl CycleError {
         match self {
             CycleError::Drawn => Problem::new(says::drawn()).hint(says::lengths_and_drive()),
             CycleError::AtContact => Problem::new(says::at_contact()).hint(says::say_circular()),
+            CycleError::OffGuide(slider) => Problem::new(says::off_guide(slider)).hint(says::on_guide()),
             CycleError::NotOfOneKind(number) => Problem::new(says::other_kind(*number)).hint(says::same_kind()),
             CycleError::NoDrive => Problem::new(says::no_drive()).hint(says::give_drive()),
             CycleError::NoSuchDrive { name, known } => says::no_such_drive(name, known).into(),

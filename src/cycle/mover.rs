@@ -144,7 +144,7 @@ impl<'a> Mover<'a> {
                 let now = if piece == pieces { *value } else { from + part * whole };
                 self.kernel.set_input(&mut self.block, drive, &[now]);
             }
-            if !self.step(last) {
+            if !self.step(last) || self.mechanism.off_guide(|id| Some(self.block.slides[id.0][0])).is_some() {
                 self.go_back();
                 return false;
             }

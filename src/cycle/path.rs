@@ -5,7 +5,7 @@ use super::segment::{Node, Segment};
 use super::together::Together;
 use crate::geometry::{Lanes, Many, Row, span};
 use crate::kernel::{Block, InputKind, Kernel, Single, vector};
-use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::motion::Reach;
 use crate::position::Pose;
 use crate::quantity::QuantityRequest;
@@ -42,6 +42,13 @@ pub enum Happening {
     Change(String),
     /// The path cannot be followed through a singular position of another kind. The links of the group.
     Singular(String),
+    /// A slider comes to an end of its guide and leaves it: the drive moves it no further.
+    Leaves {
+        /// The slider's name, as in `3/2`.
+        slider: String,
+        /// The position of that end.
+        position: f64,
+    },
     /// A link stops and turns back: an extreme position, and a dead centre if that link were the driving one.
     TurnsBack {
         /// The link's name.
@@ -62,7 +69,10 @@ impl Event {
     /// Whether the path ends here.
     #[must_use]
     pub fn is_end(&self) -> bool {
-        matches!(self.what, Happening::Limit(_) | Happening::RunsOff(_) | Happening::Singular(_))
+        matches!(
+            self.what,
+            Happening::Limit(_) | Happening::RunsOff(_) | Happening::Singular(_) | Happening::Leaves { .. }
+        )
     }
 
     /// The event in words; `place` is the drive's value in words, as in `angle(1) = 30°`.
@@ -75,6 +85,7 @@ impl Event {
             Happening::RunsOff(links) => language.event_runs_off(place, links),
             Happening::Change(links) => language.event_change(place, links),
             Happening::Singular(links) => language.event_singular(place, links),
+            Happening::Leaves { slider, position } => language.event_leaves(place, slider, &number(*position)),
             Happening::TurnsBack { link, angle } => {
                 language.event_turns_back(place, link, &number(snapped(*angle, 360.0)))
             }
@@ -142,6 +153,9 @@ impl<'a> Path<'a> {
             bare: kernel.without_places(),
             kernel,
         };
+        if let Some((id, _)) = path.off_guide(&block) {
+            return Err(CycleError::OffGuide(path.mechanism.slider_name(id)));
+        }
         path.unit_rates(&mut block);
         let nodes = vec![Node::new(&path.kernel, origin, block)];
         Ok(Path { nodes, ..path })
@@ -152,6 +166,11 @@ impl<'a> Path<'a> {
         let input = &self.kernel.inputs[self.drive.input];
         let reach = Reach::new(&self.mechanism, &self.mechanism.groups[group], pose)?;
         (self.drive.is_angle && reach.crank == input.body).then_some(reach)
+    }
+
+    /// The slider that is off its guide farthest in a position, and by how much.
+    pub(super) fn off_guide(&self, block: &Single) -> Option<(SliderId, f64)> {
+        self.mechanism.off_guide(|id| Some(block.slides[id.0][0]))
     }
 
     /// One turn in the drive's unit: 360° of a crank; for a slider, the mechanism's size.

@@ -7,6 +7,8 @@ messages! { "cycle":
     lengths_and_drive;
     at_contact;
     say_circular;
+    off_guide(slider);
+    on_guide;
     other_kind(number);
     same_kind;
     no_drive;

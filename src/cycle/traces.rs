@@ -175,7 +175,9 @@ impl Animation {
         let still = Self { drive: None, values: vec![0.0], positions: vec![own.clone()], own: 0, is_round: false };
         let drive = match Drive::new(mechanism, drive) {
             Ok(drive) => drive,
-            Err(CycleError::Drawn | CycleError::AtContact | CycleError::NoDrive) => return Ok(still),
+            Err(CycleError::Drawn | CycleError::AtContact | CycleError::OffGuide(_) | CycleError::NoDrive) => {
+                return Ok(still);
+            }
             Err(error) => return Err(error),
         };
         let mut path = Path::new(mechanism, pose, drive.clone())?;

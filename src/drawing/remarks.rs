@@ -5,7 +5,7 @@ use super::lines::Lines;
 use super::view::Series;
 use crate::construction::kennedy::missing_of_centers;
 use crate::construction::{FigureOf, contacts_told};
-use crate::cycle::{Centrode, Times};
+use crate::cycle::{Centrode, Times, told_engagement};
 use crate::forces::Source;
 use crate::geometry::Place;
 use crate::text::Untrusted;
@@ -113,10 +113,19 @@ fn friction(context: &SheetContext<'_>) -> Option<String> {
 pub(super) fn sentence_on_paths(context: &SheetContext<'_>) -> Option<String> {
     let shown = |name: &str| context.told(name, None);
     let contacts = contacts_told(context.mechanism(), &context.words, &shown).into_iter();
-    let all =
-        contacts.chain(friction(context)).chain(ticks(context)).chain(centrodes(context)).chain(inflection(context));
+    let off = context.solution.off_guides().map(|message| sentence(&context.words.language.says(&message)));
+    let engaged = told_engagement(context.solution, &context.words);
+    let told = contacts.chain(off).chain(engaged).chain(friction(context));
+    let all = told.chain(ticks(context)).chain(centrodes(context)).chain(inflection(context));
     let all: Vec<String> = all.collect();
     (!all.is_empty()).then(|| all.join(" "))
+}
+
+/// A warning as a sentence of its own.
+fn sentence(warning: &str) -> String {
+    let mut letters = warning.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(letters).chain(['.']).collect()
 }
 
 /// The sentences on centrodes: of which links, and of which there are none.

@@ -169,6 +169,9 @@ impl Exercise {
             figure.mu = scales;
         }
         is_long_enough(&solution.construction, &scales)?;
+        if solution.off_guides().next().is_some() {
+            return Err(Refusal::Assembly);
+        }
         let has_plans = solution.construction.draws_plans();
         let shows_all = !has_plans || shows_special_points(&solution);
         if !(FigureSheets::new(&solution).overflow_warnings().is_empty() && shows_all) {

@@ -4,7 +4,7 @@ use crate::accuracy::says::{pulls, unbounded};
 use crate::accuracy::{Bounds, bounds};
 use crate::centers::Center;
 use crate::construction::{Solution, coincident_name};
-use crate::cycle::told_turning_back;
+use crate::cycle::{told_engagement, told_turning_back};
 use crate::drawing::FigureSheets;
 use crate::geometry::{Place, Point, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role};
@@ -59,7 +59,7 @@ pub struct ResultFile {
     pub pencil: Option<PencilResult>,
     /// What the reader should know of these numbers.
     pub warnings: Vec<String>,
-    /// Links and sliders that stop and turn back in this position.
+    /// Links and sliders that stop and turn back in this position; the part of a turn in which a slot is engaged.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
 }
@@ -161,6 +161,9 @@ pub struct SliderResult {
     /// Bound on the error of `position`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub position_error: Option<f64>,
+    /// Whether the guide holds it there; only of a guide with ends.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub engaged: Option<bool>,
     /// Sliding velocity, positive along the guide.
     pub velocity: f64,
     /// Bound on the error of `velocity`.
@@ -360,6 +363,9 @@ impl Solution {
                 on: mechanism.body(slider.on).name.clone(),
                 position: pose.slides[id.0],
                 position_error: bounds.slide_position(id),
+                engaged: slider
+                    .travel
+                    .map(|[low, high]| pose.slides[id.0].is_some_and(|at| (low..=high).contains(&at))),
                 velocity: slide.velocity,
                 velocity_error,
                 velocity_error_at_position: slide.velocity_error,
@@ -407,7 +413,10 @@ impl Solution {
             centers: IndexMap::new(),
             pencil: None,
             warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).chain(pulling).collect(),
-            notes: told_turning_back(self, &Wording::default()),
+            notes: told_turning_back(self, &Wording::default())
+                .into_iter()
+                .chain(told_engagement(self, &Wording::default()))
+                .collect(),
         }
     }
 

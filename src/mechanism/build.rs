@@ -128,6 +128,14 @@ fn check_friction(scene: &Scene, mechanism: &Mechanism) -> Result<(), StructureE
                 let hint = (!names.is_empty()).then(|| says::the_sliders_are(names.join(", ")));
                 ("guide", says::friction_no_slider(shown(name)), hint)
             }
+            RubbingJoint::Guide(name)
+                if mechanism.slider_named(name).is_some_and(|id| mechanism.slider(id).is_contact) =>
+            {
+                ("guide", says::friction_of_contact(shown(name)), Some(says::no_friction_of_contact()))
+            }
+            RubbingJoint::Pin { point, .. } if mechanism.is_center_of_contact(point) => {
+                ("pin", says::friction_of_contact(point), Some(says::no_friction_of_contact()))
+            }
             RubbingJoint::Pin { point, .. } if mechanism.joints_at_pin(point).next().is_none() => {
                 ("pin", says::friction_no_joint(point), None)
             }
@@ -249,7 +257,8 @@ fn add_carriage(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
     for (on, link, through, direction, turned) in slides {
         let through = through.unwrap_or_else(Point::origin);
         let guide = Guide::Local { through, direction };
-        let slider = Slider { link, at, on, guide, counted_from: None, turned, drive: None, is_contact: false };
+        let slider =
+            Slider { link, at, on, guide, counted_from: None, turned, drive: None, travel: None, is_contact: false };
         mechanism.add_slider(slider);
     }
 }

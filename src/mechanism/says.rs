@@ -10,6 +10,8 @@ messages! { "mechanism":
     friction_no_slider(name);
     the_sliders_are(names);
     friction_no_joint(point);
+    friction_of_contact(joint);
+    no_friction_of_contact;
     angle_of_another(link);
     angle_in_drive;
     mirror_image(link, points);
@@ -36,6 +38,9 @@ messages! { "mechanism":
     train_without_ratio(links);
     other_teeth;
     two_radii(link, teeth, first, second);
+
+    // Guides with ends.
+    off_guide(slider, position, low, high);
 
     // Contacts.
     holds_here_alone(first, second);

@@ -249,6 +249,10 @@ messages! { "scene":
     add_at(link);
     add_link_or_pin(point);
     slides_on_itself(link);
+    travel_is_drawn;
+    travel_backwards(low, high);
+    lower_end_first;
+    travel_has_two_ends(count);
 
     // Gear pairs.
     two_wheels(count);

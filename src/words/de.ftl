@@ -262,6 +262,8 @@ event_change = Verzweigungslage bei {$place}: Die Glieder {$links} könnten auch
 event_singular = singuläre Lage nahe {$place}: Die Glieder {$links} lassen sich nicht durch sie hindurch verfolgen
 event_turns_back = Umkehrlage bei {$place}: Glied {$link} hält bei {$angle}° an und dreht zurück
 event_slides_back = Umkehrlage bei {$place}: Schieber {$slider} hält bei {$position} an und gleitet zurück
+event_leaves = Ende des Weges bei {$place}: Schieber {$slider} verlässt seine Führung bei {$position}
+engaged = Der Schlitz ist bei {$drive} von {$from} bis {$to} im Eingriff, {$held} einer Umdrehung; während der anderen {$free} rastet er.
 events_left_out = {$count} weitere Umkehr- oder Verzweigungslagen folgen
 
 # The structure: Assur groups in solving order.
@@ -918,6 +920,10 @@ scene-block_or_pin = behalten Sie `link` und `at` für einen Gleitstein, `pin` f
 scene-add_at = ergänzen Sie "at", den Punkt von Glied {$link}, der auf der Führung liegt
 scene-add_link_or_pin = ergänzen Sie "link", das gleitende Glied; oder schreiben Sie "pin": "{$point}" für einen Bolzen in einem Schlitz
 scene-slides_on_itself = Glied {$link} kann nicht auf sich selbst gleiten
+scene-travel_is_drawn = eine gezeichnete Stellung ist die einzige, also haben ihre Führungen keine Enden
+scene-travel_backwards = der Weg geht von {$low} bis {$high}
+scene-lower_end_first = geben Sie zuerst die kleinere Lage an, als "travel": [20, 80]
+scene-travel_has_two_ends = eine Führung hat zwei Enden, nicht {$count}
 
 # Zahnradpaare.
 
@@ -1127,6 +1133,8 @@ mechanism-over_no_zero = die Lage von {$name} zählt von keinem Punkt an, so das
 mechanism-friction_no_slider = es gibt keinen Gleitstein {$name}, in dessen Führung Reibung sein könnte
 mechanism-the_sliders_are = die Gleitsteine sind: {$names}
 mechanism-friction_no_joint = in {$point} sind keine Glieder verbunden, dort reibt also nichts
+mechanism-friction_of_contact = {$joint} steht für Profile, die sich berühren; sie reiben an der Berührung und nicht dort
+mechanism-no_friction_of_contact = Reibung von Berührungen ist nicht bekannt: lassen Sie sie weg
 mechanism-angle_of_another = der Winkel von Glied {$link} kann den des Antriebs nicht ersetzen: er ändert sich nicht mit diesem Antrieb
 mechanism-angle_in_drive = geben Sie im Antrieb an, wo er steht, oder den Winkel eines Gliedes, das sich mit ihm dreht
 mechanism-mirror_image = Glied {$link}: seine Längen passen zu einem Dreieck und zu dessen Spiegelbild; genommen wird {$points}, gegen den Uhrzeigersinn. Um zu wählen, geben Sie in `near` ungefähre Orte seiner Punkte an
@@ -1135,6 +1143,7 @@ mechanism-make_revolute = machen Sie eines der Schubgelenke zum Drehgelenk
 mechanism-train_without_ratio = aus den Zähnezahlen folgen die Winkel der Glieder {$links} nicht: die Räder drehen sich gleich, was auch der Steg tut, so dass nichts ihn antreibt
 mechanism-other_teeth = geben Sie andere Zähnezahlen an, so dass die Standübersetzung nicht 1 ist, oder treiben Sie den Steg an
 mechanism-two_radii = Rad {$link} mit {$teeth} Zähnen hätte zwei Wälzkreisradien, {$first} und {$second}: prüfen Sie Zähnezahlen und Achsabstände
+mechanism-off_guide = Schieber {$slider} ist nicht auf seiner Führung: er steht bei {$position}, und sie geht von {$low} bis {$high}; was daraus folgt, gilt hier nicht
 mechanism-holds_here_alone = die Berührung von {$first} und {$second} ist nur in dieser Stellung bekannt: ihr Ersatzgetriebe gibt hier Geschwindigkeiten, Beschleunigungen und Kräfte, und anderswo nichts
 
 # Too few or too many constraints.
@@ -1304,6 +1313,8 @@ cycle-drawn = eine gezeichnete Stellung lässt sich nicht bewegen: sie hat keine
 cycle-lengths_and_drive = eine Szene mit `lengths` oder `shape` und einem Antrieb mit seinem `angle` oder `position`
 cycle-at_contact = die Profile, die sich berühren, sind nur an ihrer Berührung bekannt, also lässt sich das Getriebe nicht bewegen
 cycle-say_circular = "circular": true in der Berührung, wenn beide Profile Kreise um diese Mittelpunkte sind, oder ein Kreis und eine Gerade
+cycle-off_guide = Schieber {$slider} ist hier nicht auf seiner Führung, also bewegt ihn nichts
+cycle-on_guide = beginnen Sie dort, wo er innerhalb von `travel` ist
 cycle-other_kind = Mechanismus {$number} ist nicht von der Art von Mechanismus 0
 cycle-same_kind = dieselben Glieder, Gelenke und Antriebe in derselben Reihenfolge; nur Längen, Orte und Antriebe dürfen sich unterscheiden
 cycle-no_drive = es gibt keinen Antrieb, der zu bewegen wäre

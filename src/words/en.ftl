@@ -280,6 +280,8 @@ event_change = change point at {$place}: links {$links} could go on in another m
 event_singular = singular position near {$place}: links {$links} cannot be followed through it
 event_turns_back = extreme position at {$place}: link {$link} stops at {$angle}° and turns back
 event_slides_back = extreme position at {$place}: slider {$slider} stops at {$position} and slides back
+event_leaves = end of travel at {$place}: slider {$slider} leaves its guide at {$position}
+engaged = The slot is engaged at {$drive} from {$from} to {$to}, {$held} of a turn; for the other {$free} it dwells.
 events_left_out = {$count} more extreme or change points follow
 
 # The structure: Assur groups in solving order.
@@ -948,6 +950,10 @@ scene-block_or_pin = keep `link` and `at` for a block, `pin` for a bare pin
 scene-add_at = add "at", the point of link {$link} that is on the guide
 scene-add_link_or_pin = add "link", the sliding link; or write "pin": "{$point}" for a pin in a slot
 scene-slides_on_itself = link {$link} cannot slide on itself
+scene-travel_is_drawn = a drawn configuration has one position, so its guides have no ends
+scene-travel_backwards = travel goes from {$low} to {$high}
+scene-lower_end_first = give the lower position first, as "travel": [20, 80]
+scene-travel_has_two_ends = a guide has two ends, not {$count}
 
 # Gear pairs.
 
@@ -1157,6 +1163,8 @@ mechanism-over_no_zero = the position of {$name} counts from no point, so that n
 mechanism-friction_no_slider = there is no slider {$name} in whose guide there could be friction
 mechanism-the_sliders_are = the sliders are: {$names}
 mechanism-friction_no_joint = no links are joined at {$point}, so nothing rubs there
+mechanism-friction_of_contact = {$joint} stands for profiles that touch, which rub where they touch and not there
+mechanism-no_friction_of_contact = friction of contacts is not known: leave it out
 mechanism-angle_of_another = the angle of link {$link} cannot stand in place of the drive's: it does not change with that drive
 mechanism-angle_in_drive = say in the drive where it stands, or give the angle of a link that turns with it
 mechanism-mirror_image = link {$link}: its lengths fit a triangle and its mirror image; the counter-clockwise one {$points} is taken. Give rough places of its points in `near` to choose
@@ -1165,6 +1173,7 @@ mechanism-make_revolute = make one of the prismatic joints revolute
 mechanism-train_without_ratio = the teeth do not tell the angles of links {$links}: the wheels turn alike whatever the arm does, so nothing drives it
 mechanism-other_teeth = give other numbers of teeth, so that the basic ratio of the train is not 1, or drive the arm
 mechanism-two_radii = wheel {$link} with {$teeth} teeth would have two pitch radii, {$first} and {$second}: check teeth and centre distances
+mechanism-off_guide = slider {$slider} is not on its guide: it stands at {$position}, and the guide goes from {$low} to {$high}; what follows from it does not hold here
 mechanism-holds_here_alone = the contact of {$first} and {$second} is known in this position alone: its equivalent linkage gives velocities, accelerations and forces here, and nothing elsewhere
 
 # Too few or too many constraints.
@@ -1337,6 +1346,8 @@ cycle-drawn = a drawn configuration cannot be moved: it has no lengths
 cycle-lengths_and_drive = a scene with `lengths` or `shape` and a drive with its `angle` or `position`
 cycle-at_contact = the profiles that touch are known at their contact alone, so the mechanism cannot be moved
 cycle-say_circular = "circular": true in the contact, if both profiles are circles about these centres, or a circle and a straight line
+cycle-off_guide = slider {$slider} is not on its guide here, so nothing moves it
+cycle-on_guide = begin where it is within its `travel`
 cycle-other_kind = mechanism {$number} is not of the kind of mechanism 0
 cycle-same_kind = the same links, joints and drives in the same order; only lengths, places and drives may differ
 cycle-no_drive = there is no drive to move

@@ -260,6 +260,8 @@ event_change = punto de cambio en {$place}: los eslabones {$links} podrían segu
 event_singular = posición singular cerca de {$place}: no se puede seguir a los eslabones {$links} a través de ella
 event_turns_back = posición extrema en {$place}: el eslabón {$link} se detiene a {$angle}° e invierte su giro
 event_slides_back = posición extrema en {$place}: la corredera {$slider} se detiene en {$position} e invierte su deslizamiento
+event_leaves = fin del recorrido en {$place}: la corredera {$slider} deja su guía en {$position}
+engaged = La ranura está en contacto con {$drive} de {$from} a {$to}, {$held} de una vuelta; durante los otros {$free} reposa.
 events_left_out = siguen {$count} posiciones extremas o puntos de cambio más
 
 # The structure: Assur groups in solving order.
@@ -916,6 +918,10 @@ scene-block_or_pin = conserve `link` y `at` para un bloque, `pin` para un simple
 scene-add_at = añada "at", el punto del eslabón {$link} que está en la guía
 scene-add_link_or_pin = añada "link", el eslabón que desliza; o escriba "pin": "{$point}" para un perno en una ranura
 scene-slides_on_itself = el eslabón {$link} no puede deslizar sobre sí mismo
+scene-travel_is_drawn = una configuración dibujada tiene una sola posición, así que sus guías no tienen extremos
+scene-travel_backwards = el recorrido va de {$low} a {$high}
+scene-lower_end_first = dé primero la posición menor, como "travel": [20, 80]
+scene-travel_has_two_ends = una guía tiene dos extremos, no {$count}
 
 # Pares de engranajes.
 
@@ -1125,6 +1131,8 @@ mechanism-over_no_zero = la posición de {$name} no se cuenta desde ningún punt
 mechanism-friction_no_slider = no hay ninguna corredera {$name} en cuya guía pudiera haber rozamiento
 mechanism-the_sliders_are = las correderas son: {$names}
 mechanism-friction_no_joint = en {$point} no se unen eslabones, así que allí nada roza
+mechanism-friction_of_contact = {$joint} representa perfiles que se tocan, que rozan donde se tocan y no allí
+mechanism-no_friction_of_contact = el rozamiento de los contactos no se conoce: omítalo
 mechanism-angle_of_another = el ángulo del eslabón {$link} no puede sustituir al del accionamiento: no cambia con este
 mechanism-angle_in_drive = diga en el accionamiento dónde está, o dé el ángulo de un eslabón que gire con él
 mechanism-mirror_image = eslabón {$link}: sus longitudes valen para un triángulo y para su imagen especular; se toma el antihorario {$points}. Para elegir, dé lugares aproximados de sus puntos en `near`
@@ -1133,6 +1141,7 @@ mechanism-make_revolute = convierta uno de los pares prismáticos en rotatorio
 mechanism-train_without_ratio = los dientes no dan los ángulos de los eslabones {$links}: las ruedas giran igual haga lo que haga el brazo, así que nada lo mueve
 mechanism-other_teeth = dé otros números de dientes, de modo que la relación básica del tren no sea 1, o accione el brazo
 mechanism-two_radii = la rueda {$link} de {$teeth} dientes tendría dos radios primitivos, {$first} y {$second}: revise dientes y distancias entre centros
+mechanism-off_guide = la corredera {$slider} no está en su guía: está en {$position}, y la guía va de {$low} a {$high}; lo que de ello se sigue no vale aquí
 mechanism-holds_here_alone = el contacto de {$first} y {$second} solo se conoce en esta posición: su mecanismo equivalente da aquí velocidades, aceleraciones y fuerzas, y nada en otra parte
 
 # Too few or too many constraints.
@@ -1302,6 +1311,8 @@ cycle-drawn = una configuración dibujada no puede moverse: no tiene longitudes
 cycle-lengths_and_drive = una escena con `lengths` o `shape` y un accionamiento con su `angle` o `position`
 cycle-at_contact = los perfiles que se tocan solo se conocen en su contacto, así que el mecanismo no puede moverse
 cycle-say_circular = "circular": true en el contacto, si ambos perfiles son círculos alrededor de estos centros, o un círculo y una recta
+cycle-off_guide = la corredera {$slider} no está en su guía aquí, así que nada la mueve
+cycle-on_guide = empiece donde esté dentro de su `travel`
 cycle-other_kind = el mecanismo {$number} no es del tipo del mecanismo 0
 cycle-same_kind = los mismos eslabones, pares y accionamientos en el mismo orden; solo pueden diferir longitudes, lugares y accionamientos
 cycle-no_drive = no hay ningún accionamiento que mover

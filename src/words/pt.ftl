@@ -262,6 +262,8 @@ event_change = ponto de mudança em {$place}: os elos {$links} também poderiam 
 event_singular = posição singular perto de {$place}: não é possível seguir os elos {$links} através dela
 event_turns_back = posição extrema em {$place}: o elo {$link} se detém em {$angle}° e inverte seu giro
 event_slides_back = posição extrema em {$place}: o cursor {$slider} se detém em {$position} e inverte seu deslizamento
+event_leaves = fim do curso em {$place}: o cursor {$slider} deixa sua guia em {$position}
+engaged = A ranhura está engatada com {$drive} de {$from} a {$to}, {$held} de uma volta; durante os outros {$free} ela repousa.
 events_left_out = seguem mais {$count} posições extremas ou pontos de mudança
 
 # The structure: Assur groups in solving order.
@@ -918,6 +920,10 @@ scene-block_or_pin = mantenha `link` e `at` para um bloco, `pin` para um simples
 scene-add_at = acrescente "at", o ponto do elo {$link} que está na guia
 scene-add_link_or_pin = acrescente "link", o elo que desliza; ou escreva "pin": "{$point}" para um pino em uma ranhura
 scene-slides_on_itself = o elo {$link} não pode deslizar sobre si mesmo
+scene-travel_is_drawn = uma configuração desenhada tem uma só posição, portanto suas guias não têm extremos
+scene-travel_backwards = o curso vai de {$low} a {$high}
+scene-lower_end_first = dê primeiro a posição menor, como "travel": [20, 80]
+scene-travel_has_two_ends = uma guia tem dois extremos, não {$count}
 
 # Pares de engrenagens.
 
@@ -1127,6 +1133,8 @@ mechanism-over_no_zero = a posição de {$name} não se conta a partir de nenhum
 mechanism-friction_no_slider = não há nenhum cursor {$name} em cuja guia pudesse haver atrito
 mechanism-the_sliders_are = os cursores são: {$names}
 mechanism-friction_no_joint = em {$point} não se unem elos, pelo que nada roça ali
+mechanism-friction_of_contact = {$joint} representa perfis que se tocam, que atritam onde se tocam e não ali
+mechanism-no_friction_of_contact = o atrito dos contatos não é conhecido: omita-o
 mechanism-angle_of_another = o ângulo do elo {$link} não pode substituir o do acionamento: não muda com ele
 mechanism-angle_in_drive = diga no acionamento onde ele está, ou dê o ângulo de um elo que gire com ele
 mechanism-mirror_image = elo {$link}: seus comprimentos servem para um triângulo e para sua imagem espelhada; toma-se o anti-horário {$points}. Para escolher, dê lugares aproximados dos seus pontos em `near`
@@ -1135,6 +1143,7 @@ mechanism-make_revolute = transforme uma das juntas prismáticas em junta de rot
 mechanism-train_without_ratio = os dentes não dão os ângulos dos elos {$links}: as rodas giram do mesmo modo faça o que fizer o braço, portanto nada o move
 mechanism-other_teeth = dê outros números de dentes, de modo que a relação básica do trem não seja 1, ou acione o braço
 mechanism-two_radii = a roda {$link} de {$teeth} dentes teria dois raios primitivos, {$first} e {$second}: confira dentes e distâncias entre centros
+mechanism-off_guide = o cursor {$slider} não está em sua guia: está em {$position}, e a guia vai de {$low} a {$high}; o que disso segue não vale aqui
 mechanism-holds_here_alone = o contato de {$first} e {$second} é conhecido só nesta posição: seu mecanismo equivalente dá aqui velocidades, acelerações e forças, e nada em outra parte
 
 # Too few or too many constraints.
@@ -1304,6 +1313,8 @@ cycle-drawn = uma configuração desenhada não pode ser movida: não tem compri
 cycle-lengths_and_drive = uma cena com `lengths` ou `shape` e um acionamento com seu `angle` ou `position`
 cycle-at_contact = os perfis que se tocam são conhecidos só em seu contato, portanto o mecanismo não pode ser movido
 cycle-say_circular = "circular": true no contato, se ambos os perfis são círculos em torno destes centros, ou um círculo e uma reta
+cycle-off_guide = o cursor {$slider} não está em sua guia aqui, portanto nada o move
+cycle-on_guide = comece onde ele está dentro do seu `travel`
 cycle-other_kind = o mecanismo {$number} não é do tipo do mecanismo 0
 cycle-same_kind = os mesmos elos, juntas e acionamentos na mesma ordem; só podem diferir comprimentos, lugares e acionamentos
 cycle-no_drive = não há nenhum acionamento a mover

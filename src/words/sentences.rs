@@ -310,6 +310,9 @@ sentences! {
     event_singular(place, links);
     event_turns_back(place, link, angle);
     event_slides_back(place, slider, position);
+    event_leaves(place, slider, position);
+    /// The part of a turn in which a pin is in a slot, and that in which the slotted link rests.
+    engaged(drive, from, to, held, free);
     events_left_out(count);
 
     // The structure: Assur groups in solving order.

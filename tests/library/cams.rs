@@ -4,14 +4,14 @@
 use crate::gears::{number, solution};
 use kinegon::Solution;
 use kinegon::construction::Tolerance;
-use kinegon::cycle::{Animation, CycleError, Drive, Path};
+use kinegon::cycle::{Animation, CycleError, Drive, Mover, Path};
 use kinegon::drawing::Pen;
 use kinegon::editing::{Edit, Named, NewLink, Pins, PlacedPoint, Reshape, apply};
 use kinegon::exercise::Exercises;
 use kinegon::format::ContactResult;
 use kinegon::mechanism::Touch;
 use kinegon::quantity::{Quantity, pencil};
-use kinegon::scene::{Kind, Scene};
+use kinegon::scene::{Kind, Scene, Shape};
 use serde_json::{Value, json};
 use std::ops::{Add, Mul, Sub};
 use support::comparison::{decimal, entries};
@@ -447,6 +447,14 @@ fn radii_are_added_with_all_their_digits() {
     assert_eq!(by_contact.points["C"].position, by_link.points["C"].position);
     let [error, truth] = [&by_contact, &by_link].map(|result| result.points["C"].position_error.expect("a bound"));
     assert!((error - truth).abs() < 1e-6 * truth, "{error} {truth}");
+    let read = Scene::read(
+        r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "B": [1, 0] },
+             "links": { "1": { "points": ["A", "K"], "lengths": { "AK": 0.1 }, "drive": { "angle": 90, "omega": 1 } },
+                        "3": { "points": ["B", "C"], "lengths": { "BC": 1 } } },
+             "contacts": [ { "links": ["1", "3"], "centers": ["K", "C"], "radii": [0.1, 0.2] } ] }"#,
+    );
+    let read = read.expect("a scene");
+    assert!(matches!(&read.links["E1"].shape, Shape::Lengths(lengths) if lengths[0].value == 0.3));
     let [_, y] = by_contact.points["C"].position.expect("a place");
     let off = minus(y, "0.4").abs();
     assert!(
@@ -512,6 +520,26 @@ fn a_flat_follower_presses_along_the_normal() {
         let couple = result["forces"]["sliders"]["2/ground"]["couple"].as_f64().expect("a couple");
         near(couple.abs(), 100.0 * (beside - 6.0).abs(), 100.0, &scene);
     }
+}
+
+/// Profiles rub where they touch, not in the joints that stand for them: friction there is refused.
+#[test]
+fn contacts_have_no_friction() {
+    let scene = |friction: Value| {
+        json!({ "kinegon": 1, "units": { "length": "mm", "time": "s", "mass": "kg", "force": "N" }, "ground": { "A": [0, 0] },
+            "links": { "1": { "points": ["A", "K"], "lengths": { "AK": 20 }, "drive": { "angle": 40, "omega": 15 } }, "2": ["F"] },
+            "sliders": [ { "link": "2", "at": "F", "on": "ground", "through": [6, 0], "along": 90 } ],
+            "contacts": [ { "links": ["1", "2"], "centers": ["K"], "radii": [40], "along": -90, "circular": true } ],
+            "forces": [ { "on": "2", "at": "F", "force": [0, -100] } ], "friction": [friction] })
+    };
+    let refused = |friction: Value| kinegon::solve(&Scene::read(&scene(friction).to_string()).expect("a scene"));
+    for friction in
+        [json!({ "guide": "K/2", "coefficient": 0.1 }), json!({ "pin": "K", "coefficient": 0.1, "radius": 5 })]
+    {
+        let error = refused(friction).expect_err("it is no joint that rubs").to_string();
+        assert!(error.contains("stands for profiles that touch"), "{error}");
+    }
+    assert!(refused(json!({ "guide": "2/ground", "coefficient": 0.1 })).is_ok());
 }
 
 fn edited(text: &str, edits: &[Edit]) -> String {
@@ -593,4 +621,74 @@ fn exercises_and_steps_say_what_moves_as_the_profiles_do() {
             assert!(radii.iter().all(|radius| *radius > 0.0), "{radii:?}");
         }
     }
+}
+
+/// A Geneva wheel: crank r, distance of the axes a, slot from t₀ to t₁ from the wheel's axis. The pin is in the slot while its distance from that axis,
+/// √(r² + a² − 2 r a cos θ), is at most t₁.
+#[test]
+fn geneva_wheels_are_engaged_while_the_pin_is_in_the_slot() {
+    for seed in 0..COUNT {
+        let dice = &mut Random(seed);
+        let (apart, crank) = (from(80.0, dice), from(20.0, dice) / 2.0);
+        let (least, greatest) = ((apart - crank).abs(), apart + crank);
+        let open = least + (greatest - least) * (0.15 + 0.7 * from(0.0, dice) / 100.0);
+        let away = libm::acos((crank * crank + apart * apart - open * open) / (2.0 * crank * apart));
+        let angle = libm::round(away.to_degrees() * from(-50.0, dice) / 6.0) / 10.0;
+        let omega = from(-50.0, dice) + 0.03;
+        let theta = Jet([angle.to_radians(), omega, 0.0]);
+        let arm = [Jet::constant(crank) * theta.cos() - Jet::constant(apart), Jet::constant(crank) * theta.sin()];
+        let wheel = Jet::angle(arm[1], arm[0]);
+        let scene = |angle: f64| {
+            json!({ "kinegon": 1, "units": units(), "ground": { "A": [0, 0], "D": [apart, 0] },
+            "links": { "1": { "points": ["A", "B"], "lengths": { "AB": crank }, "drive": { "angle": angle, "omega": omega } }, "3": ["D"] },
+            "sliders": [ { "pin": "B", "on": "3", "travel": [0.5 * least, open] } ] })
+        };
+        let s = solution(&scene(angle));
+        near(number(&s, "omega(3)"), wheel.0[1], 50.0, &scene(angle));
+        near(number(&s, "alpha(3)"), wheel.0[2], 1e4, &scene(angle));
+        let result = s.result();
+        assert_eq!(result.sliders["B/3"].engaged, Some(true));
+        assert!(result.warnings.is_empty(), "{:?}\n{}", result.warnings, scene(angle));
+        let mut path =
+            Path::new(&s.mechanism, &s.pose, Drive::new(&s.mechanism, None).expect("a drive")).expect("in the slot");
+        path.cover(None, None).expect("from end to end");
+        let ends = path.engagement().expect("both ends are those of the slot");
+        for (found, truth) in ends.into_iter().zip([-away.to_degrees(), away.to_degrees()]) {
+            let stated = path.events().into_iter().find(|event| event.at == found).expect("an event").within;
+            assert!((found - truth).abs() <= stated + 1e-11, "{found} {truth} {stated:e}\n{}", scene(angle));
+            assert!(stated < 1e-9, "{stated:e}");
+        }
+        // Beyond, nothing follows from the slot.
+        let beyond = solution(&scene((away + 0.3 * (std::f64::consts::PI - away)).to_degrees()));
+        let result = beyond.result();
+        assert_eq!((result.sliders["B/3"].engaged, result.warnings.len()), (Some(false), 1));
+        let drive = Drive::new(&beyond.mechanism, None).expect("a drive");
+        assert_eq!(
+            Path::new(&beyond.mechanism, &beyond.pose, drive).expect_err("it rests"),
+            CycleError::OffGuide("B/3".to_owned())
+        );
+        // A hand cannot pull the pin out of the slot either.
+        let mut mover = Mover::new(&s.mechanism, &s.pose).expect("regular");
+        assert!(mover.move_to(&[0.9 * away.to_degrees()]).is_some());
+        assert!(mover.move_to(&[away.to_degrees() + 5.0]).is_none());
+        assert!((mover.drives()[0] - 0.9 * away.to_degrees()).abs() < 1e-12);
+    }
+}
+
+/// The part of the turn is told; guides without ends are not touched.
+#[test]
+fn the_engaged_part_of_a_turn_is_told() {
+    let text = std::fs::read_to_string(files::path("tests/cams/geneva.json")).expect("the scene can be read");
+    let s = solution(&serde_json::from_str(&text).expect("JSON"));
+    let said = "The slot is engaged at angle(1) from -45° to 45°, 90° of a turn; for the other 270° it dwells.";
+    let said = said.replace('-', "\u{2212}");
+    assert!(s.result().notes.iter().any(|note| note.replace('-', "\u{2212}") == said), "{:?}", s.result().notes);
+    let without = text.replace(", \"travel\": [25, 70.71]", "");
+    assert_ne!(text, without);
+    let s = solution(&serde_json::from_str(&without).expect("JSON"));
+    let result = s.result();
+    assert_eq!((result.sliders["B/3"].engaged, result.notes.len()), (None, 0));
+    let mut path = Path::new(&s.mechanism, &s.pose, Drive::new(&s.mechanism, None).expect("a drive")).expect("regular");
+    path.cover(None, None).expect("it goes round");
+    assert!(path.engagement().is_none() && path.end(true).is_none());
 }

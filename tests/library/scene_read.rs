@@ -175,7 +175,7 @@ fn the_schema_names_every_key() {
     let keys: Vec<_> = schema["properties"].as_object().unwrap().keys().map(String::as_str).collect();
     let expected = [
         "kinegon", "title", "units", "ground", "points", "known", "links", "sliders", "gears", "contacts", "gravity",
-        "forces", "springs", "analysis", "near", "figure", "want", "form", "hints", "note", "$schema",
+        "forces", "springs", "friction", "analysis", "near", "figure", "want", "form", "hints", "note", "$schema",
     ];
     assert_eq!(keys, expected);
     let text = schema.to_string();

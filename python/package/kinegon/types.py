@@ -187,6 +187,8 @@ class Slider(TypedDict):
     """The direction of the guide; left out: 0. Degrees count from +x on the ground, from the axis of `on` otherwise."""
     turned: NotRequired[float]
     """Degrees from the guide to the slider's axis; left out: 0."""
+    travel: NotRequired[Sequence[float]]
+    """The least and the greatest position along the guide at which the guide still holds what slides: the ends of a slot. Not in a drawn configuration."""
     drive: NotRequired[SliderDrive]
     """The drive that pushes the slider."""
     note: NotRequired[object]
@@ -854,6 +856,8 @@ class SliderResult(TypedDict):
     """Its position along the guide, counted from the guide's `through`."""
     position_error: NotRequired[Union[float, None]]
     """Bound on the error of `position`."""
+    engaged: NotRequired[Union[bool, None]]
+    """Whether the guide holds it there; only of a guide with ends."""
     velocity: float
     """Sliding velocity, positive along the guide."""
     velocity_error: NotRequired[Union[float, None]]
@@ -1118,7 +1122,7 @@ class Result(TypedDict):
     warnings: list[str]
     """What the reader should know of these numbers."""
     notes: NotRequired[list[str]]
-    """Links and sliders that stop and turn back in this position."""
+    """Links and sliders that stop and turn back in this position; the part of a turn in which a slot is engaged."""
 
 
 class ValueResult(TypedDict):

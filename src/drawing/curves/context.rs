@@ -105,7 +105,7 @@ impl<'a> CurveContext<'a> {
     /// The vertical lines at marked values of the drive, with their pens.
     pub fn verticals(&self) -> Vec<(Pen, f64)> {
         let events = self.events.iter().filter_map(|event| match event.what {
-            Happening::Limit(_) | Happening::Singular(_) => Some((Pen::Limit, event.at)),
+            Happening::Limit(_) | Happening::Singular(_) | Happening::Leaves { .. } => Some((Pen::Limit, event.at)),
             Happening::Change(_) => Some((Pen::Change, event.at)),
             _ => None,
         });

@@ -363,7 +363,9 @@ impl Locus<'_> {
     /// Draws strokes across the path at its ends in limit positions.
     fn limits(&self, canvas: &mut Canvas<'_>, chains: &[Vec<Point>]) {
         let [low, high] = self.context.range;
-        let is_end = |event: &&Event| matches!(event.what, Happening::Limit(_) | Happening::Singular(_));
+        let is_end = |event: &&Event| {
+            matches!(event.what, Happening::Limit(_) | Happening::Singular(_) | Happening::Leaves { .. })
+        };
         for event in self.context.events.iter().filter(is_end) {
             let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * (high - low);
             let end = if near(event.at, low) {

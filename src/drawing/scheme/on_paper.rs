@@ -274,12 +274,18 @@ pub(in crate::drawing) fn places(solution: &Solution) -> impl Iterator<Item = ge
     points.chain(contacts::places(solution))
 }
 
-/// Points that extend the scheme for guides on the ground.
+/// Points that extend the scheme for guides on the ground, and for those with ends.
 fn guide_ends(mechanism: &Mechanism, pose: &Pose) -> impl Iterator<Item = geometry::Point> {
     let reach = GUIDE * span(pose.points.iter().copied());
     let sliders = mechanism.slider_ids();
-    sliders.filter(|&id| mechanism.slider(id).on == GROUND).flat_map(move |id| {
-        let (at, arm) = (pose.point(mechanism.slider(id).at), pose.guide(id) * reach);
-        [at - arm, at + arm]
-    })
+    sliders
+        .filter_map(move |id| {
+            let slider = mechanism.slider(id);
+            let (at, along) = (pose.point(slider.at), pose.guide(id));
+            match slider.travel.zip(pose.slides[id.0]) {
+                Some((travel, position)) => Some(travel.map(|end| at + along * (end - position))),
+                None => (slider.on == GROUND).then(|| [at - along * reach, at + along * reach]),
+            }
+        })
+        .flatten()
 }

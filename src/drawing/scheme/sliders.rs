@@ -59,6 +59,14 @@ pub(in crate::drawing) fn slot(
     Some(Slot { ends, arms: off_line.into_iter().map(arm).collect() })
 }
 
+/// A slot between these ends on a link with these points: an arm joins each point of the link to it.
+fn slot_with_ends(ends @ [low, high]: [Point; 2], points: impl Iterator<Item = Point>) -> Slot {
+    let run = high - low;
+    let foot = |point: Point| low + run * ((point - low).dot(run) / run.hypot2()).clamp(0.0, 1.0);
+    let arms = points.map(|point| [point, foot(point)]).filter(|[point, foot]| (*point - *foot).hypot() > ON_LINE);
+    Slot { ends, arms: arms.collect() }
+}
+
 impl SchemeOnPaper<'_> {
     /// The sliders in drawing order: those on the ground are behind.
     pub(super) fn sliders(&self) -> Vec<SliderId> {
@@ -131,15 +139,27 @@ impl SchemeOnPaper<'_> {
         let (at, along) = (self.at(self.mechanism.slider(id).at), on_sheet(self.pose.guide(id)));
         // White for the ground line and its hatching beside the block.
         let bounds = room.inset(-(self.half(id).y + HATCH));
-        clipped_segment(bounds, at - along * reach, at + along * reach).map(|(a, b)| [a, b])
+        let ends = self.ends_of_guide(id).map(|[low, high]| [low - along * BLOCK.x, high + along * BLOCK.x]);
+        let [low, high] = ends.unwrap_or([at - along * reach, at + along * reach]);
+        clipped_segment(bounds, low, high).map(|(a, b)| [a, b])
     }
 
     /// The slot about a block on a link, within the panel; none between points of the link, where the block is on its line.
     fn slot(&self, id: SliderId, room: Rect) -> Option<Slot> {
         let slider = self.mechanism.slider(id);
         let (at, along) = (self.at(slider.at), on_sheet(self.pose.guide(id)));
-        let points = &self.mechanism.body(slider.on).points;
-        slot(at, along, self.reach_of_guide(id, room)?, points.iter().map(|&point| self.at(point)))
+        let points = || self.mechanism.body(slider.on).points.iter().map(|&point| self.at(point));
+        match self.ends_of_guide(id) {
+            Some(ends) => Some(slot_with_ends(ends, points())),
+            None => slot(at, along, self.reach_of_guide(id, room)?, points()),
+        }
+    }
+
+    /// The ends of a guide that has some.
+    fn ends_of_guide(&self, id: SliderId) -> Option<[Point; 2]> {
+        let slider = self.mechanism.slider(id);
+        let (travel, at) = (slider.travel?, self.pose.slides[id.0]?);
+        Some(travel.map(|end| self.view.at(self.pose.point(slider.at) + self.pose.guide(id) * (end - at))))
     }
 
     /// The corners around the slots of a link, which its area has room for.
@@ -158,6 +178,10 @@ impl SchemeOnPaper<'_> {
     /// Draws a block or a slot, and over it the links on its pin.
     pub(super) fn block(&self, canvas: &mut Canvas<'_>, id: SliderId) {
         let slider = self.mechanism.slider(id);
+        if self.mechanism.body(slider.link).block && slider.travel.is_some() {
+            // A pin in a slot of which the ends are drawn.
+            return;
+        }
         let half = self.half(id);
         let (at, along) = (self.at(slider.at), on_sheet(self.pose.guide(id)));
         let across = Vec2::new(-along.y, along.x);

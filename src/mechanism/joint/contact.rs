@@ -143,6 +143,15 @@ impl Mechanism {
         self.contacts.iter().any(|contact| contact.equivalent_link() == Some(link))
     }
 
+    /// Whether a point is a centre of curvature of profiles that touch.
+    pub(in crate::mechanism) fn is_center_of_contact(&self, point: &str) -> bool {
+        let is_it = |id: PointId| self.point_name(id) == point;
+        self.contacts.iter().any(|contact| match contact.touch {
+            Touch::Arcs { centers, .. } => centers.into_iter().any(is_it),
+            Touch::Face { center, .. } => is_it(center),
+        })
+    }
+
     /// Whether its motion is known in its position alone, as profiles that touch there may have any shape elsewhere.
     #[must_use]
     pub fn is_momentary(&self) -> bool {

@@ -27,6 +27,8 @@ pub struct Slider {
     pub turned: f64,
     /// Its drive, if it is driven; the drive has no position in a drawn configuration.
     pub drive: Option<SliderDrive>,
+    /// The least and the greatest position at which the guide holds it, if it has ends.
+    pub travel: Option<[f64; 2]>,
     /// Whether it is the pin of a contact with a flat profile, which has no slot of its own.
     pub is_contact: bool,
 }
@@ -111,6 +113,16 @@ impl Mechanism {
             marks: if slider.is_contact { smallvec![] } else { smallvec![Mark::Block(id)] },
         });
         self.sliders.push(slider);
+    }
+
+    /// The slider that is off its guide farthest where sliders have these positions, and its distance from the guide's end; `None` where all are on
+    /// theirs, as guides without ends always hold them.
+    pub(crate) fn off_guide(&self, position: impl Fn(SliderId) -> Option<f64>) -> Option<(SliderId, f64)> {
+        let off = |id: SliderId| {
+            let ([low, high], at) = (self.slider(id).travel?, position(id)?);
+            Some((id, (low - at).max(at - high))).filter(|(_, off)| *off > 0.0)
+        };
+        self.slider_ids().filter_map(off).max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// The joint of a slider.
@@ -232,6 +244,7 @@ pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
             counted_from,
             turned: given.turned_deg,
             drive: given.drive,
+            travel: given.travel,
             is_contact: is_contact(index),
         });
     }

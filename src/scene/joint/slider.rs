@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use super::{JointKind, Meaning};
 use crate::message::Message;
-use crate::scene::error::Wrong;
+use crate::scene::error::{Wrong, number};
 use crate::scene::given::{GivenBy, SliderDrive};
 use crate::scene::link::{Link, Shape};
 use crate::scene::name::{checked_pair, no_point};
@@ -39,11 +39,15 @@ pub(in crate::scene) struct SliderFile {
     pub along: Option<Direction>,
     /// Degrees from the guide to the slider's axis; left out: 0.
     pub turned: Option<f64>,
+    /// The least and the greatest position along the guide at which the guide still holds what slides: the ends of a slot. Not in a drawn
+    /// configuration.
+    #[schemars(length(equal = 2))]
+    pub travel: Option<Vec<f64>>,
     /// The drive that pushes the slider.
     pub drive: Option<SliderDrive>,
 }
 
-write_keys!(SliderFile { link, at, pin, on, through, along, turned, drive });
+write_keys!(SliderFile { link, at, pin, on, through, along, turned, travel, drive });
 
 pub(super) const SLIDERS: JointKind = JointKind {
     list: "sliders",
@@ -55,6 +59,7 @@ pub(super) const SLIDERS: JointKind = JointKind {
         ("through", Some(Meaning::PointOfGuide)),
         ("along", Some(Meaning::PairOfGuide)),
         ("turned", None),
+        ("travel", None),
         ("drive", None),
     ],
 };
@@ -80,6 +85,8 @@ pub struct Slider {
     pub beside: f64,
     /// Angle from the guide to the sliding link's axis, in degrees; zero by default and in a drawn configuration.
     pub turned_deg: f64,
+    /// The least and the greatest position at which the guide holds it, if it has ends.
+    pub travel: Option<[f64; 2]>,
     /// The drive along the guide, if any, whether the file has it in the slider or in the sliding link; it has no
     /// `position` in a drawn configuration.
     pub drive: Option<SliderDrive>,
@@ -275,8 +282,24 @@ fn slider(given_by: GivenBy, names: &Names<'_>, coordinates: &Coordinates, given
         let hint = says::remove_drawn("position");
         return Err(Wrong::key(&["drive", "position"], says::position_is_drawn()).hint(hint));
     }
+    let travel = given.travel.map(|travel| checked_travel(given_by, travel)).transpose()?;
     let SliderFile { link, at, pin, turned, drive, .. } = given;
-    Ok(Slider { link, at, pin, on, through, along, beside: 0.0, turned_deg: turned.unwrap_or(0.0), drive })
+    Ok(Slider { link, at, pin, on, through, along, beside: 0.0, turned_deg: turned.unwrap_or(0.0), travel, drive })
+}
+
+/// The ends of a guide, the lower one first.
+fn checked_travel(given_by: GivenBy, travel: Vec<f64>) -> Result<[f64; 2], Wrong> {
+    if given_by == GivenBy::Drawing {
+        return Err(Wrong::key(&["travel"], says::travel_is_drawn()).hint(says::leave_key_out()));
+    }
+    match <[f64; 2]>::try_from(travel) {
+        Ok([low, high]) if low < high => Ok([low, high]),
+        Ok([low, high]) => {
+            let message = says::travel_backwards(number(low), number(high));
+            Err(Wrong::value(&["travel"], message).hint(says::lower_end_first()))
+        }
+        Err(travel) => Err(Wrong::value(&["travel"], says::travel_has_two_ends(travel.len()))),
+    }
 }
 
 /// The pin of a contact with a flat profile, on a guide beside this at such a distance.

@@ -2508,6 +2508,14 @@ export interface SceneSlider {
    */
   turned?: number;
   /**
+   * The least and the greatest position along the guide at which the guide still holds what slides: the ends of a slot. Not in a drawn
+   * configuration.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  travel?: [number, number];
+  /**
    * The drive that pushes the slider.
    */
   drive?: SceneSliderDrive;
