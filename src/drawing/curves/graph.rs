@@ -79,7 +79,10 @@ impl<'a> Graph<'a> {
             power => format!("{} {unit}", power_of_ten(power)),
         };
         let (name, prefix) = names(context.words.language, self.kind);
-        let heading = numbered(index, &context.words.language.in_unit(name, &unit));
+        let heading = numbered(
+            index,
+            &if unit.is_empty() { name.to_owned() } else { context.words.language.in_unit(name, &unit) },
+        );
         let heading = Line::new(vec![RichText::plain(&heading)]);
         let at = Vec2::new(0.0, self.rows[0] + 5.2 - self.rows[1]);
         let frame = Frame { at, ..Frame::new(heading, Pen::Heading) };
