@@ -209,7 +209,9 @@ fn description(context: &CurveContext<'_>, graphs: &[Graph<'_>]) -> String {
     let mut text = language.over(&drive.quantity, &from, &to);
     for graph in graphs {
         let unit = graph.kind.unit(units);
-        let value = |found: &CertainExtreme| format!("{} {unit}", context.number(found.value, found.digits(6)));
+        let value = |found: &CertainExtreme| {
+            format!("{} {unit}", context.number(found.value, found.digits(6))).trim_end().to_owned()
+        };
         for ((curve, _), extremes) in graph.curves.iter().zip(&graph.extremes) {
             let names = curve.asked.iter().map(|asked| asked.name()).collect::<Vec<_>>().join(" = ");
             if let (Some(_), [Some(constant), _]) = (curve.constant, extremes) {

@@ -76,13 +76,12 @@ impl<'a> Graph<'a> {
         let unit = self.kind.unit(context.scene.units);
         let unit = match self.axis.power {
             0 => unit,
-            power => format!("{} {unit}", power_of_ten(power)),
+            power => format!("{} {unit}", power_of_ten(power)).trim_end().to_owned(),
         };
         let (name, prefix) = names(context.words.language, self.kind);
-        let heading = numbered(
-            index,
-            &if unit.is_empty() { name.to_owned() } else { context.words.language.in_unit(name, &unit) },
-        );
+        // A ratio has no unit.
+        let title = if unit.is_empty() { name.to_owned() } else { context.words.language.in_unit(name, &unit) };
+        let heading = numbered(index, &title);
         let heading = Line::new(vec![RichText::plain(&heading)]);
         let at = Vec2::new(0.0, self.rows[0] + 5.2 - self.rows[1]);
         let frame = Frame { at, ..Frame::new(heading, Pen::Heading) };
