@@ -196,9 +196,7 @@ fn with_forces(
     }
     let Some(computed) = forces(mechanism, &AtPose::new(mechanism, pose)) else { return construction };
     let mut writer = Writer::continued(mechanism, pose, motion, construction);
-    // Tooth forces are not in the polygons, which would not close.
-    let has_wheels = mechanism.joints.iter().any(|joint| joint.pitch.is_some() || joint.rack.is_some());
-    force_plan(&mut writer, &computed, panels.contains(&Sheet::Forces) && !has_wheels);
+    force_plan(&mut writer, &computed, panels.contains(&Sheet::Forces));
     if panels.contains(&Sheet::Lever) {
         writer.construction.levers = levers(&mut writer, &computed);
     }
