@@ -134,6 +134,7 @@ mod students;
 mod studies;
 mod templates;
 mod ties;
+mod toothed;
 mod trains;
 mod values;
 mod whole_errors;

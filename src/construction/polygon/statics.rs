@@ -25,7 +25,7 @@ pub(super) struct Force {
     /// Its size along that direction, times `sign`.
     pub size: NumberId,
     pub sign: f64,
-    /// A load as it is known: the direction of its line is that of a rounded one.
+    /// What is known of it, before `sign`: the direction of its line is that of a rounded one.
     pub exact: Option<Pair<Ball>>,
 }
 
