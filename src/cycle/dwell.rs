@@ -1,14 +1,53 @@
 //! The part of a turn in which a drive moves a link with a slot, and that in which this rests, as of a Geneva wheel.
 
 use super::Drive;
-use super::path::{Happening, Path};
+use super::path::{Event, Happening, Path};
+use super::segment::Node;
 use crate::construction::Solution;
 use crate::words::{NumberStyle, Wording};
 
 /// The style of its angles: the ends themselves are told with all their digits.
 const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2).trimmed();
 
+/// Most halvings of a step in which a slider leaves its guide.
+const BISECTIONS: usize = 60;
+
+/// What the place of such an end may be off at least, in turns.
+const ROUNDED: f64 = 1e-14;
+
 impl Path<'_> {
+    /// Where a slider leaves its guide between two nodes, of which the first is on all guides, and the last position before, by a step that goes so far
+    /// from the first. There may be none between, where the first stands at the end itself.
+    pub(super) fn leaving(
+        &self,
+        last: &Node,
+        beyond: Node,
+        advance: impl Fn(f64) -> Option<Node>,
+    ) -> (Option<Node>, Event) {
+        let (mut low, mut high) = (last.value, beyond.value);
+        let (mut kept, mut off) = (None, self.off_guide(&beyond.block));
+        for _ in 0..BISECTIONS {
+            let middle = low + 0.5 * (high - low);
+            if middle == low || middle == high {
+                break;
+            }
+            match advance(middle).map(|node| (self.off_guide(&node.block), node)) {
+                Some((None, node)) => (low, kept) = (middle, Some(node)),
+                Some((Some(farther), _)) => (high, off) = (middle, Some(farther)),
+                None => break,
+            }
+        }
+        let within = (high - low).abs() + ROUNDED * self.unit();
+        let what = off.map(|(id, _)| {
+            let [least, most] = self.mechanism.slider(id).travel.unwrap_or_default();
+            let at = kept.as_ref().unwrap_or(last).block.slides[id.0][0];
+            let position = if (at - least).abs() < (most - at).abs() { least } else { most };
+            Happening::Leaves { slider: self.mechanism.slider_name(id), position }
+        });
+        let what = what.unwrap_or_else(|| Happening::Singular(String::new()));
+        (kept, Event { at: low, within, what })
+    }
+
     /// From where to where the drive moves what has the slot: between both ends of its travel. `None` where the path has other ends or none, or
     /// has not been followed to them.
     #[must_use]
