@@ -21,6 +21,9 @@ const TURNS: [f64; 25] = [
     -10.0, 11.0, -11.0, 12.0, -12.0,
 ];
 
+/// Of these, for each of two drives.
+const FEW: usize = 13;
+
 /// The text with its drives where they stand in `now`, a position of the mechanism of the text, and in that assembly.
 ///
 /// Angles are rounded to 0.1°, positions of sliders to about four digits; to more where that would move a point visibly. Where
@@ -36,12 +39,14 @@ pub fn with_position(text: &str, now: &Pose) -> Result<String, SceneError> {
     }
     let values = Stand::all(&document.json(), &before.mechanism, now);
     let mut failure = None;
-    let turns = if before.mechanism.has_wheels() { &TURNS[..] } else { &[0.0] };
+    let turns = further_turns(before.mechanism.has_wheels(), &values);
     for (further, turns) in FURTHER.into_iter().flat_map(|further| turns.iter().map(move |turns| (further, turns))) {
         let mut trial = document.clone();
-        let value = |stand: &Stand| stand.decimals.finer(further).json(stand.value + stand.turn * turns);
-        let changed = values.iter().filter(|stand| stand.is_new || *turns != 0.0);
-        let rounded = changed.map(|stand| (stand.path.clone(), value(stand)));
+        let value =
+            |(stand, turns): (&Stand, f64)| stand.decimals.finer(further).json(stand.value + stand.turn * turns);
+        let of_each = values.iter().zip(turns.iter().copied());
+        let changed = of_each.filter(|(stand, turns)| stand.is_new || *turns != 0.0);
+        let rounded = changed.map(|changed| (changed.0.path.clone(), value(changed)));
         trial.set_all(&rounded.collect::<Vec<_>>())?;
         match settle(&mut trial, now) {
             Ok(solved) if distance(now, &solved.pose) <= MOVED => return Ok(trial.text()),
@@ -50,6 +55,30 @@ pub fn with_position(text: &str, now: &Pose) -> Result<String, SceneError> {
         }
     }
     Err(failure.unwrap_or_else(|| document.error(&[], says::no_position(), Some(says::other_position()))))
+}
+
+/// By drive, the whole turns that are tried, the fewest first; of two drives that turn each has its own, as in a differential, of more
+/// only the first two.
+fn further_turns(has_wheels: bool, values: &[Stand]) -> Vec<Vec<f64>> {
+    let none = vec![0.0; values.len()];
+    let turning: Vec<usize> = (0..values.len()).filter(|&drive| values[drive].turn != 0.0).take(2).collect();
+    let with = |turns: &[f64]| {
+        let mut all = none.clone();
+        turning.iter().zip(turns).for_each(|(&drive, &turns)| all[drive] = turns);
+        all
+    };
+    match turning.len() {
+        _ if !has_wheels => vec![none],
+        0 => vec![none],
+        1 => TURNS.iter().map(|&turns| with(&[turns])).collect(),
+        _ => {
+            let few = &TURNS[..FEW];
+            let pairs = few.iter().flat_map(|&first| few.iter().map(move |&second| [first, second]));
+            let mut pairs: Vec<[f64; 2]> = pairs.collect();
+            pairs.sort_by(|a, b| (a[0].abs() + a[1].abs()).total_cmp(&(b[0].abs() + b[1].abs())));
+            pairs.iter().map(|pair| with(pair)).collect()
+        }
+    }
 }
 
 /// The text with the assembly mode of that number, as `kinegon modes` counts them from 1, chosen by `near`.

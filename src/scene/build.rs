@@ -4,7 +4,7 @@ use super::choices::{LengthUnit, TimeUnit, Units};
 use super::error::SceneError;
 use super::figure::Figure;
 use super::given::{LinkMotion, PointMotion};
-use super::joint::key_order;
+use super::joint::{Belt, key_order};
 use super::read::Scene;
 use super::value::{At, Direction};
 use super::write::{Write, Written, text_of};
@@ -342,6 +342,17 @@ impl Mesh {
     /// With these numbers of teeth, in the order of the wheels; that of a ring with inner teeth is negative.
     pub fn teeth(self, teeth: [i32; 2]) -> Mesh {
         Mesh(self.0.with("teeth", &teeth.map(f64::from)))
+    }
+
+    /// With the second link a straight rack, on which the first, a wheel with this pitch radius, rolls.
+    pub fn rack(self, teeth: i32, radius: f64) -> Mesh {
+        let both = vec![f64::from(teeth).written(), "rack".written()];
+        Mesh(self.0.with_list("teeth", both).with("radius", &radius))
+    }
+
+    /// With a belt or a chain around both wheels, whose numbers of teeth then say the ratio of their radii.
+    pub fn belt(self, belt: Belt) -> Mesh {
+        Mesh(self.0.with("belt", &belt))
     }
 
     /// With the second wheel at this angle where the first stands at 0, both from the carrier's axis, in degrees; zero by default.

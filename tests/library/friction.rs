@@ -150,3 +150,18 @@ fn listed_names_have_values() {
     assert!(wanted.iter().all(|name| names.iter().any(|own| own == name)), "{names:?}");
     assert!(!names.iter().any(|name| name.starts_with("M_f(A") || name.starts_with("F(")), "{names:?}");
 }
+
+/// Whether there are such joints the mechanism knows.
+#[test]
+fn friction_where_nothing_rubs_is_refused() {
+    let refused = |friction: Value| {
+        let scene = slider_crank(50.0, -1000.0, &json!([friction]));
+        solved(&scene.to_string()).map(|_| ()).expect_err("it is refused").to_string()
+    };
+    let said = refused(json!({ "guide": "2/ground", "coefficient": 0.1 }));
+    assert!(said.contains("no slider 2/ground") && said.contains("3/ground"), "{said}");
+    let mut scene = slider_crank(50.0, -1000.0, &json!([{ "pin": "E", "coefficient": 0.1, "radius": 5 }]));
+    scene["links"]["2"] = json!({ "points": ["B", "C", "E"], "lengths": { "BC": 180, "CE": 50, "BE": 140 } });
+    let said = solved(&scene.to_string()).map(|_| ()).expect_err("it is refused").to_string();
+    assert!(said.contains("no links are joined at E"), "{said}");
+}

@@ -1,9 +1,9 @@
 //! A scene put together in Rust is the scene that its file says: every key of the format, the same checks, the same messages.
 
 use kinegon::scene::{
-    Builder, ConstructionShown, CoriolisName, DecimalMark, Figure, FrameName, Guide, LanguageName, LengthUnit,
-    LinkMotion, NewLink, NotationName, Page, PageSize, PointMotion, Push, ScalesFor, Scene, SlidingName, StyleName,
-    TimeUnit, Turn, TurnedName, polar,
+    Belt, Builder, ConstructionShown, CoriolisName, DecimalMark, Figure, ForceUnit, FrameName, Friction, Grip, Guide,
+    LanguageName, LengthUnit, LinkMotion, MassUnit, Mesh, NewLink, NewLoad, NotationName, Page, PageSize, PointMotion,
+    Push, RubbingJoint, ScalesFor, Scene, SlidingName, StyleName, TimeUnit, Turn, TurnedName, polar,
 };
 use kinegon::{PerSheet, Sheet};
 use support::files;
@@ -285,4 +285,55 @@ fn a_negative_zero_is_read_back() {
         let [x, y] = scene.expect("a good scene").near.points["B"];
         assert!(x.is_sign_negative() && y.is_sign_positive());
     }
+}
+
+/// What rolls, runs and rubs.
+#[test]
+fn racks_belts_loads_and_friction_are_as_in_their_file() {
+    let rolling = mm()
+        .ground("O", [0.0, 0.0])
+        .link("1", NewLink::points(["C"]))
+        .link("2", NewLink::points(["C", "Q"]).length("CQ", 20.0))
+        .slider("1", "C", Guide::on("ground").through([0.0, 20.0]).along(0.0).drive(Push::speed(40.0).position(45.0)))
+        .gear(["2", "ground"], Mesh::on("1").rack(20, 20.0));
+    let read = Scene::read(
+        r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "O": [0, 0] },
+             "links": { "1": { "points": ["C"] }, "2": { "points": ["C", "Q"], "lengths": { "CQ": 20 } } },
+             "sliders": [{ "link": "1", "at": "C", "on": "ground", "through": [0, 20], "along": 0,
+                           "drive": { "position": 45, "speed": 40 } }],
+             "gears": [{ "mesh": ["2", "ground"], "teeth": [20, "rack"], "radius": 20, "on": "1" }] }"#,
+    )
+    .expect("a good scene");
+    is_the_same(&rolling, &read);
+    assert_eq!(rolling.build().expect("a scene").gears, read.gears);
+
+    let wheels = |belt: Option<Belt>| {
+        let mesh = Mesh::on("ground").teeth([20, 40]);
+        mm().ground("A", [0.0, 0.0])
+            .ground("D", [90.0, 0.0])
+            .link("1", NewLink::points(["A", "B"]).length("AB", 10.0).drive(Turn::omega(8.0).angle(30.0)))
+            .link("2", NewLink::points(["D", "E"]).length("DE", 10.0))
+            .gear(["1", "2"], belt.map_or(mesh.clone(), |belt| mesh.belt(belt)))
+    };
+    for (belt, omega) in [(None, -4.0), (Some(Belt::Open), 4.0), (Some(Belt::Crossed), -4.0)] {
+        let solution = kinegon::solve(&wheels(belt).build().expect("a scene")).expect("it turns");
+        assert_eq!(solution.motion.body(solution.mechanism.link("2").expect("a wheel")).omega, omega);
+    }
+
+    let loaded = mm()
+        .mass_and_force(MassUnit::Kg, ForceUnit::N)
+        .ground("A", [0.0, 0.0])
+        .link("1", NewLink::points(["A", "B"]).length("AB", 60.0).drive(Turn::omega(10.0).angle(40.0)))
+        .link("2", NewLink::points(["B", "C"]).length("BC", 180.0))
+        .link("3", NewLink::points(["C"]))
+        .slider("3", "C", Guide::on("ground").through([0.0, 0.0]).along(0.0))
+        .load("3", NewLoad::force("C", [-400.0, 0.0]))
+        .friction_at_pin("B", 0.1, 12.0)
+        .friction_in_guide("3/ground", 0.2)
+        .build()
+        .expect("a scene");
+    let friction = &loaded.loads.as_ref().expect("loads").friction;
+    let pin = RubbingJoint::Pin { point: "B".to_owned(), radius: 12.0 };
+    assert_eq!(friction[0], Friction { joint: pin, grip: Grip::Coefficient(0.1) });
+    assert_eq!(friction[1].joint, RubbingJoint::Guide("3/ground".to_owned()));
 }

@@ -37,8 +37,7 @@ fn a_mode_that_is_chosen_is_taken() {
 fn a_drive_put_into_the_text_stays_on_its_branch() {
     let steps = DRIVEN_POSITIONS.now();
     let (mut seen, mut as_it_was) = (0, 0);
-    // Two drives that count whole turns: docs/limits.md.
-    for (name, text) in solvable().into_iter().filter(|(name, _)| name != "differential") {
+    for (name, text) in solvable() {
         let (scene, mechanism, pose) = position(&text).expect("solvable");
         if scene.given_by == GivenBy::Drawing {
             assert!(with_position(&text, &pose).is_err(), "{name}");
