@@ -33,7 +33,8 @@ mod equilibrium;
 mod friction;
 mod opened;
 mod power;
-mod says;
+#[doc(hidden)] // for tests
+pub mod says;
 
 use acting::LoadList;
 pub use acting::Source;

@@ -6,7 +6,8 @@ use kinegon::message::Declared;
 use kinegon::scene::{LanguageName, Scene};
 use kinegon::words::{Language, catalogue_of};
 use kinegon::{
-    accuracy, board, check, cycle, drawing, editing, exercise, mechanism, motion, photo, position, quantity, scene,
+    accuracy, board, check, cycle, drawing, editing, exercise, forces, mechanism, motion, photo, position, quantity,
+    scene,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use support::files::refused;
@@ -20,6 +21,7 @@ pub fn declared() -> BTreeMap<&'static str, &'static Declared> {
         motion::says::DECLARED,
         accuracy::says::DECLARED,
         quantity::says::DECLARED,
+        forces::says::DECLARED,
         cycle::says::DECLARED,
         editing::says::DECLARED,
         drawing::says::DECLARED,
