@@ -4,7 +4,7 @@ use super::Drive;
 use super::path::{Event, Happening, Path};
 use super::segment::Node;
 use crate::construction::Solution;
-use crate::words::{NumberStyle, Wording};
+use crate::words::{Medium, NumberStyle, Wording};
 
 /// The style of its angles: the ends themselves are told with all their digits.
 const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2).trimmed();
@@ -61,9 +61,9 @@ impl Path<'_> {
 
     /// The same in words, for a drive that turns.
     #[must_use]
-    pub fn told_engagement(&self, words: &Wording) -> Option<String> {
+    pub fn told_engagement(&self, words: &Wording, medium: Medium) -> Option<String> {
         let [from, to] = self.engagement().filter(|_| self.drive.is_angle)?;
-        let degrees = |x: f64| format!("{}°", words.write(x, HUNDREDTHS));
+        let degrees = |x: f64| format!("{}°", words.write(x, HUNDREDTHS.on(medium)));
         let (held, free) = (degrees(to - from), degrees(self.unit() - (to - from)));
         Some(words.language.engaged(&self.drive.quantity, &degrees(from), &degrees(to), &held, &free))
     }
@@ -72,11 +72,11 @@ impl Path<'_> {
 /// The part of a turn in which the first drive of a scene moves a link with a slot, in words; `None` without ends of guides, and where they do not
 /// hold the motion up at both sides.
 #[must_use]
-pub fn told_engagement(solution: &Solution, words: &Wording) -> Option<String> {
+pub fn told_engagement(solution: &Solution, words: &Wording, medium: Medium) -> Option<String> {
     let mechanism = &solution.mechanism;
     mechanism.sliders.iter().find(|slider| slider.travel.is_some())?;
     let drive = Drive::new(mechanism, None).ok()?;
     let mut path = Path::new(mechanism, &solution.pose, drive).ok()?;
     path.once().ok()?;
-    path.told_engagement(words)
+    path.told_engagement(words, medium)
 }

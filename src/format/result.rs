@@ -11,7 +11,7 @@ use crate::mechanism::{BodyId, PointId, Role};
 use crate::quantity::{Band, Head, Pencil, Quantity, QuantityRequest, Unread, measured_names};
 use crate::scene::{ForceUnit, MassUnit, SceneError, Units};
 use crate::sheet::{Order, Scales};
-use crate::words::Wording;
+use crate::words::{Medium, Wording};
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
@@ -415,7 +415,7 @@ impl Solution {
             warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).chain(pulling).collect(),
             notes: told_turning_back(self, &Wording::default())
                 .into_iter()
-                .chain(told_engagement(self, &Wording::default()))
+                .chain(told_engagement(self, &Wording::default(), Medium::Text))
                 .collect(),
         }
     }
