@@ -4,6 +4,7 @@ use super::Drive;
 use super::path::{Event, Happening, Path};
 use super::segment::Node;
 use crate::construction::Solution;
+use crate::mechanism::SliderId;
 use crate::words::{Medium, NumberStyle, Wording};
 
 /// The style of its angles: the ends themselves are told with all their digits.
@@ -16,6 +17,49 @@ const BISECTIONS: usize = 60;
 const ROUNDED: f64 = 1e-14;
 
 impl Path<'_> {
+    /// A position beyond a guide's end on the way between two nodes: the second one, or one between them where a slider turns back beyond the end.
+    pub(super) fn beyond_guides(
+        &self,
+        last: &Node,
+        node: &Node,
+        advance: impl Fn(f64) -> Option<Node>,
+    ) -> Option<Node> {
+        let is_off = |node: &Node| self.off_guide(&node.block).is_some();
+        if is_off(node) {
+            return Some(node.clone());
+        }
+        let with_ends = self.mechanism.slider_ids().filter(|id| self.mechanism.slider(*id).travel.is_some());
+        with_ends.into_iter().find_map(|id| {
+            let speed = |node: &Node| node.block.speeds[id.0][0];
+            if speed(last) * speed(node) >= 0.0 {
+                return None;
+            }
+            let (mut low, mut high) = (last.value, node.value);
+            for _ in 0..BISECTIONS {
+                let between = advance(low + 0.5 * (high - low))?;
+                let turned = speed(&between) * speed(last) < 0.0;
+                if is_off(&between) {
+                    return Some(between);
+                }
+                let end = if turned { &mut high } else { &mut low };
+                if *end == between.value {
+                    return None;
+                }
+                *end = between.value;
+            }
+            None
+        })
+    }
+
+    /// The slider that is beyond an end of its guide in a position, by however little.
+    fn past_an_end(&self, node: &Node) -> Option<SliderId> {
+        let is_past = |id: &SliderId| {
+            let (travel, at) = (self.mechanism.slider(*id).travel, node.block.slides[id.0][0]);
+            travel.is_some_and(|[low, high]| !(low..=high).contains(&at))
+        };
+        self.mechanism.slider_ids().find(is_past)
+    }
+
     /// Where a slider leaves its guide between two nodes, of which the first is on all guides, and the last position before, by a step that goes so far
     /// from the first. There may be none between, where the first stands at the end itself.
     pub(super) fn leaving(
@@ -25,20 +69,20 @@ impl Path<'_> {
         advance: impl Fn(f64) -> Option<Node>,
     ) -> (Option<Node>, Event) {
         let (mut low, mut high) = (last.value, beyond.value);
-        let (mut kept, mut off) = (None, self.off_guide(&beyond.block));
+        let (mut kept, mut off) = (None, self.past_an_end(&beyond));
         for _ in 0..BISECTIONS {
             let middle = low + 0.5 * (high - low);
             if middle == low || middle == high {
                 break;
             }
-            match advance(middle).map(|node| (self.off_guide(&node.block), node)) {
-                Some((None, node)) => (low, kept) = (middle, Some(node)),
-                Some((Some(farther), _)) => (high, off) = (middle, Some(farther)),
-                None => break,
+            let Some(node) = advance(middle) else { break };
+            match self.past_an_end(&node) {
+                None => (low, kept) = (middle, Some(node)),
+                Some(farther) => (high, off) = (middle, Some(farther)),
             }
         }
         let within = (high - low).abs() + ROUNDED * self.unit();
-        let what = off.map(|(id, _)| {
+        let what = off.map(|id| {
             let [least, most] = self.mechanism.slider(id).travel.unwrap_or_default();
             let at = kept.as_ref().unwrap_or(last).block.slides[id.0][0];
             let position = if (at - least).abs() < (most - at).abs() { least } else { most };

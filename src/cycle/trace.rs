@@ -161,8 +161,9 @@ fn trace(path: &Path, nodes: &mut Vec<Node>, target: f64) -> (Vec<Event>, Option
                 // step with the twelfth.
                 let growth = libm::pow(allowed(tried / unit) / correction.doubt.max(1e-30), 1.0 / 12.0);
                 step = tried * (0.9 * growth).clamp(0.3, 2.0);
-                if path.off_guide(&node.block).is_some() {
-                    let (node, event) = path.leaving(last, node, |to| Some(advance(path, last, to)?.0));
+                let further = |to: f64| Some(advance(path, last, to)?.0);
+                if let Some(beyond) = path.beyond_guides(last, &node, further) {
+                    let (node, event) = path.leaving(last, beyond, further);
                     nodes.extend(node);
                     return (changes, Some(event));
                 }

@@ -363,9 +363,7 @@ impl Solution {
                 on: mechanism.body(slider.on).name.clone(),
                 position: pose.slides[id.0],
                 position_error: bounds.slide_position(id),
-                engaged: slider
-                    .travel
-                    .map(|[low, high]| pose.slides[id.0].is_some_and(|at| (low..=high).contains(&at))),
+                engaged: slider.travel.and(pose.slides[id.0]).map(|at| slider.beyond(at).is_none()),
                 velocity: slide.velocity,
                 velocity_error,
                 velocity_error_at_position: slide.velocity_error,

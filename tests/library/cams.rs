@@ -726,6 +726,30 @@ fn geneva_wheels_are_engaged_while_the_pin_is_in_the_slot() {
     }
 }
 
+/// The bottom of a slot that is just deep enough lets the pin pass; one that is not, by however narrow a part of the turn, does not.
+#[test]
+fn slots_are_as_deep_as_they_are_said_to_be() {
+    let ends = |bottom: f64| {
+        let scene = json!({ "kinegon": 1, "units": units(), "ground": { "A": [0, 0], "D": [100, 0] },
+            "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 70.7 }, "drive": { "angle": 20, "omega": 10 } }, "3": ["D"] },
+            "sliders": [ { "pin": "B", "on": "3", "travel": [bottom, 70] } ], "near": { "angle(3)": 145 } });
+        let s = solution(&scene);
+        let mut path =
+            Path::new(&s.mechanism, &s.pose, Drive::new(&s.mechanism, None).expect("a drive")).expect("in the slot");
+        path.cover(None, None).expect("from end to end");
+        path.engagement().expect("both ends are those of the slot")
+    };
+    let away = |t: f64| libm::acos((70.7 * 70.7 + 1e4 - t * t) / (2.0 * 70.7 * 100.0)).to_degrees();
+    for bottom in [20.0, 29.3] {
+        let [low, high] = ends(bottom);
+        assert!((high - away(70.0)).abs() < 1e-9 && (low + high).abs() < 1e-9, "{bottom}: {low} {high}");
+    }
+    for bottom in [29.301, 29.4, 30.0] {
+        let [low, high] = ends(bottom);
+        assert!((high - away(70.0)).abs() < 1e-9 && (low - away(bottom)).abs() < 1e-9, "{bottom}: {low} {high}");
+    }
+}
+
 /// The part of the turn is told; guides without ends are not touched.
 #[test]
 fn the_engaged_part_of_a_turn_is_told() {
