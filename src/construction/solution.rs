@@ -92,7 +92,7 @@ impl Solution {
         let Solution { mechanism, pose, .. } = self;
         mechanism.slider_ids().filter_map(|id| {
             let ([low, high], at) = (mechanism.slider(id).travel?, pose.slides[id.0]?);
-            let is_off = !(low..=high).contains(&at);
+            let is_off = mechanism.slider(id).beyond(at).is_some();
             is_off.then(|| off_guide(mechanism.slider_name(id), format!("{at:.4}"), low, high))
         })
     }
