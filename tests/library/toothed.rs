@@ -72,7 +72,7 @@ fn train(dice: &mut Random, pressure: f64) -> (Value, f64, Vec<f64>) {
         }
         links[format!("{}", wheel + 1)] = link;
         if wheel + 1 < count {
-            let (sine, cosine) = dice.between(-0.9, 0.9).sin_cos();
+            let (sine, cosine) = libm::sincos(dice.between(-0.9, 0.9));
             let distance = radii[wheel] + radii[wheel + 1];
             at = [at[0] + distance * cosine, at[1] + distance * sine];
             gears.push(json!({
@@ -100,11 +100,11 @@ fn random_trains_carry_their_couple_over_the_radius() {
         assert_eq!(laid_off(&solution), 0, "{scene}");
         assert_eq!(plan.polygons.len(), radii.len(), "{scene}");
         let tangential = (couple / radii[radii.len() - 1]).abs();
-        let whole = tangential / pressure.to_radians().cos();
+        let whole = tangential / libm::cos(pressure.to_radians());
         let result = serde_json::to_value(solution.result()).expect("a result is JSON");
         for (mesh, force) in result["forces"]["meshes"].as_object().expect("meshes") {
             let [x, y] = [0, 1].map(|axis| force["force"][axis].as_f64().expect("a number"));
-            assert!((x.hypot(y) - whole).abs() <= 1e-9 * whole, "{mesh} of {scene}");
+            assert!((libm::hypot(x, y) - whole).abs() <= 1e-9 * whole, "{mesh} of {scene}");
         }
         // The drive's torque is that of the first radius; it turns against the couple where both wheels turn one way.
         let sense = if radii.len() % 2 == 1 { -1.0 } else { 1.0 };
