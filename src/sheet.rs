@@ -55,6 +55,10 @@ pub enum QuantityKind {
     AngularVelocity,
     /// An angular acceleration.
     AngularAcceleration,
+    /// An angular velocity in revolutions a minute.
+    RotationalSpeed,
+    /// The ratio of two angular velocities, without a unit.
+    SpeedRatio,
     /// A coordinate, or a position along a guide.
     Position,
     /// A distance.

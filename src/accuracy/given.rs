@@ -138,13 +138,7 @@ impl Given<'_> {
         let drive = self.scene.links.get(&self.mechanism.body(id).name).and_then(|link| link.drive);
         // The mechanism may have been given another rate since.
         match drive.filter(|drive| drive.omega == omega).and_then(|drive| drive.rpm) {
-            Some(rpm) => {
-                let unit = match self.scene.units.time {
-                    TimeUnit::S => RADIANS_PER_SECOND,
-                    TimeUnit::Min => RADIANS_PER_TURN,
-                };
-                self.number(rpm) * unit
-            }
+            Some(rpm) => self.number(rpm) * radians_of_rpm(self.scene.units.time),
             None => self.number(omega),
         }
     }
@@ -201,5 +195,13 @@ impl Frame {
     pub fn inverse(&self) -> Frame {
         let turn = self.turn.reversed();
         Frame { turn, origin: -turn.turn(self.origin) }
+    }
+}
+
+/// One revolution a minute in radians per unit of time.
+pub(super) fn radians_of_rpm(time: TimeUnit) -> Ball {
+    match time {
+        TimeUnit::S => RADIANS_PER_SECOND,
+        TimeUnit::Min => RADIANS_PER_TURN,
     }
 }

@@ -2,7 +2,7 @@
 
 use super::bounds::{Bounds, of_printing};
 use super::enclosure::Enclosure;
-use super::given::Vector;
+use super::given::{Vector, radians_of_rpm};
 use crate::construction::{Rate, image_name, normal_name};
 use crate::geometry::{Ball, Number};
 use crate::mechanism::BodyId;
@@ -65,6 +65,15 @@ impl Bounds<'_> {
     /// The true value, of a vector's component the whole vector; `None` where it cannot be had.
     pub(super) fn true_value(&self, e: &Enclosure, asked: &QuantityRequest) -> Option<TrueValue> {
         Some(match &asked.what {
+            What::RelativeRate(order, links) => {
+                let [own, other] = links.map(|link| e.angular_rates(link)[*order]);
+                TrueValue::Number(own - other)
+            }
+            What::SpeedRatio(links) => {
+                let [own, other] = links.map(|link| e.angular_rates(link)[Order::Velocity]);
+                TrueValue::Number(own / other)
+            }
+            What::Rpm(link, time) => TrueValue::Number(e.angular_rates(*link)[Order::Velocity] / radians_of_rpm(*time)),
             What::Coriolis(slider, on) => TrueValue::Vector(e.coriolis(*slider, *on)),
             What::Coordinate(axis, spot) => {
                 let (_, place) = self.true_place(e, spot)?;

@@ -43,6 +43,8 @@ messages! { "check":
     // Kinds of quantities, and sheets.
     angle;
     angular_velocity;
+    rotational_speed;
+    speed_ratio;
     angular_acceleration;
     position;
     length;

@@ -194,6 +194,7 @@ fn factor(text: &str, kind: QuantityKind, units: Units) -> Result<f64, CheckErro
         let time = seconds_of(below?.strip_suffix('²')?)?;
         Some(above * own * own / (time * time))
     };
+    let own_to_rpm = units.time.in_a_minute() / core::f64::consts::TAU;
     let found = match (kind, compact.as_str()) {
         (QuantityKind::Angle, "°" | "deg") => Some(1.0),
         (QuantityKind::Angle, "rad") => Some(1.0_f64.to_degrees()),
@@ -201,6 +202,11 @@ fn factor(text: &str, kind: QuantityKind, units: Units) -> Result<f64, CheckErro
         (QuantityKind::AngularVelocity, "rpm" | "r.p.m.") => Some(core::f64::consts::TAU * own / 60.0),
         (QuantityKind::AngularVelocity, _) => turn().and_then(per_time),
         (QuantityKind::AngularAcceleration, _) => turn().and_then(per_time_squared),
+        (QuantityKind::RotationalSpeed, "rpm" | "r.p.m." | "r/min" | "rev/min" | "U/min" | "1/min" | "min-1") => {
+            Some(1.0)
+        }
+        (QuantityKind::RotationalSpeed, _) => turn().and_then(per_time).map(|per_own| per_own * own_to_rpm),
+        (QuantityKind::SpeedRatio, own) => (own == "1").then_some(1.0),
         (QuantityKind::Length | QuantityKind::Position, _) => length().filter(|_| below.is_none()),
         (QuantityKind::Velocity, _) => length().and_then(per_time),
         (QuantityKind::Acceleration, _) => length().and_then(per_time_squared),
@@ -222,6 +228,8 @@ fn said(kind: QuantityKind) -> Message {
     match kind {
         QuantityKind::Angle => says::angle(),
         QuantityKind::AngularVelocity => says::angular_velocity(),
+        QuantityKind::RotationalSpeed => says::rotational_speed(),
+        QuantityKind::SpeedRatio => says::speed_ratio(),
         QuantityKind::AngularAcceleration => says::angular_acceleration(),
         QuantityKind::Position => says::position(),
         QuantityKind::Length => says::length(),

@@ -300,6 +300,9 @@ fn typical_size(path: &Path, kind: QuantityKind) -> f64 {
         QuantityKind::Angle => 360.0,
         QuantityKind::AngularVelocity => first,
         QuantityKind::AngularAcceleration => second,
+        // A revolution a minute is about a tenth of a radian per second.
+        QuantityKind::RotationalSpeed => first * 10.0,
+        QuantityKind::SpeedRatio => 1.0,
         QuantityKind::Position | QuantityKind::Length => size,
         QuantityKind::Velocity => first * size,
         QuantityKind::Acceleration => second * size,

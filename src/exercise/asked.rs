@@ -80,5 +80,5 @@ impl<'a> Ends<'a> {
 /// What a value is usually worth, in marks: two where it is a result, as every rate and what a drive needs are, one where it leads to one.
 fn usual(asked: &QuantityRequest) -> f64 {
     let is_effort = matches!(&asked.what, What::Force(ForceOf::Torque(_) | ForceOf::Push(_), _));
-    if is_effort || matches!(asked.what, What::Rate(_)) { RESULT } else { 1.0 }
+    if is_effort || asked.is_rate() { RESULT } else { 1.0 }
 }

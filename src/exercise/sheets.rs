@@ -119,6 +119,7 @@ impl Teller<'_> {
         match (x == 0.0, kind) {
             (_, QuantityKind::Angle) => format!("{symbol} = {value}°"),
             (true, _) => format!("{symbol} = {value}"),
+            (_, QuantityKind::SpeedRatio) => format!("{symbol} = {value}"),
             _ => format!("{symbol} = {value} {}", self.unit(kind)),
         }
     }

@@ -283,6 +283,7 @@ fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError>
     let names: IndexSet<&String> = scene.ground.iter().chain(of_links).chain(scene.known.keys()).collect();
     let given = |name: &str| scene.coordinates.get(name).map(|&place| Point::from(place));
     let mut mechanism = Mechanism {
+        time: scene.units.time,
         given_by: scene.given_by,
         points: names.iter().map(|&name| name.clone()).collect(),
         given: names.iter().map(|name| given(name)).collect(),

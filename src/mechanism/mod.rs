@@ -38,7 +38,7 @@ pub use loops::{
 use crate::Problem;
 use crate::geometry::{Ball, Point, Vector};
 use crate::message::Message;
-use crate::scene::{GivenBy, Loads, On, SceneError};
+use crate::scene::{GivenBy, Loads, On, SceneError, TimeUnit};
 use std::sync::Arc;
 
 /// Index of a named point in [`Mechanism::points`].
@@ -60,6 +60,8 @@ pub struct SliderId(pub usize);
 /// The bodies and joints of a scene, and its Assur groups in solving order.
 #[derive(Clone, Debug, Default)]
 pub struct Mechanism {
+    /// The scene's unit of time.
+    pub time: TimeUnit,
     /// Whether positions are found from lengths or given by a drawing.
     pub given_by: GivenBy,
     /// Names of the points, in order of appearance.

@@ -8,7 +8,7 @@ use crate::construction::{Construction, NumberedStep, Rate, Solution, coincident
 use crate::forces::Compiled;
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, Rolling, SliderId};
 use crate::message::Message;
-use crate::scene::{Component, Head, QuantityName};
+use crate::scene::{Component, Head, QuantityName, TimeUnit};
 use crate::sheet::{Order, Sheet};
 use crate::text::shown;
 use std::sync::Arc;
@@ -85,7 +85,8 @@ impl QuantityError {
 
 /// A quantity by its name, looked up in a mechanism once.
 ///
-/// `v(A/B)` is the velocity of A minus that of B. `a_n` and `a_t` are the normal and the tangential part of the
+/// `v(A/B)` is the velocity of A minus that of B, `omega(2/1)` the angular velocity of link 2 minus that of link 1. `i(3,1)` is
+/// ω of link 3 over that of link 1, negative where they turn in opposite senses; `rpm(2)` is ω of link 2 in revolutions a minute. `a_n` and `a_t` are the normal and the tangential part of the
 /// relative acceleration of two points of one link; of two links that driven sliders join, without the sliding and
 /// Coriolis parts; of a special point and the outer joint of one of its legs, along and across the cut line. `x(D)` and
 /// `y(D)` are a point's coordinates, `position(3/2)` a slider's. A vector's `.x`, `.y`, `.size` and `.angle` (degrees)
@@ -107,6 +108,12 @@ pub struct QuantityRequest {
 pub enum What {
     /// A rate of a link or of a slider.
     Rate(Rate),
+    /// An angular rate of the first link less that of the second.
+    RelativeRate(Order, [BodyId; 2]),
+    /// The angular velocity of the first link over that of the second.
+    SpeedRatio([BodyId; 2]),
+    /// The angular velocity of a link in revolutions a minute, from one in radians per this unit of time.
+    Rpm(BodyId, TimeUnit),
     /// Angle of a link's axis from +x.
     Angle(BodyId),
     /// Position of a slider along its guide.
@@ -260,9 +267,17 @@ impl Finder<'_> {
         let motion =
             |order| Ok(What::Motion(order, self.spot(first)?, second.map(|name| self.spot(name)).transpose()?));
         let two_spots = || Ok((self.spot(first)?, self.spot(second.ok_or_else(|| self.form())?)?));
+        let turning = |order| {
+            Ok(match second {
+                None => What::Rate(Rate::Angular(order, self.link(first)?)),
+                Some(second) => What::RelativeRate(order, [self.link(first)?, self.link(second)?]),
+            })
+        };
         Ok(match *head {
-            Head::Omega => What::Rate(Rate::Angular(Order::Velocity, self.link(first)?)),
-            Head::Alpha => What::Rate(Rate::Angular(Order::Acceleration, self.link(first)?)),
+            Head::Omega => return turning(Order::Velocity),
+            Head::Alpha => return turning(Order::Acceleration),
+            Head::SpeedRatio => What::SpeedRatio([self.link(first)?, self.link(second.ok_or_else(|| self.form())?)?]),
+            Head::Rpm => What::Rpm(self.link(first)?, self.mechanism.time),
             Head::Angle => What::Angle(self.link(first)?),
             Head::SlidePosition => What::SlidePosition(self.slider(first)?),
             Head::SlideVelocity => What::Rate(Rate::Slide(Order::Velocity, self.slider(first)?)),

@@ -3,12 +3,13 @@
 use super::name::{AccelerationPart, Pole, PoleOf, QuantityRequest, Spot, What};
 use crate::construction::Spot as DrawnAt;
 use crate::construction::{
-    Along, CenterId, Construction, End, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole,
-    PlaceId, Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
+    Along, CenterId, Construction, End, Equation, MeasuredAs, NumberId, NumberKind, Operation, OperationKind,
+    OperationRole, PlaceId, Product, ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::scene::{Component, Head, QuantityName};
 use crate::sheet::{Order, Sheet};
+use core::f64::consts::TAU;
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
 
@@ -155,6 +156,13 @@ impl Reader<'_> {
         let name = asked.name();
         let number = match &asked.what {
             What::Rate(rate) => self.rate(*rate)?,
+            What::RelativeRate(order, links) => self.relative_rate(asked, *order, *links)?,
+            What::SpeedRatio(links) => self.speed_ratio(asked, *links)?,
+            What::Rpm(link, time) => {
+                let omega = self.rate(Rate::Angular(Order::Velocity, *link))?;
+                let product = Product::new(ProductKind::Plain, time.in_a_minute() / TAU, &[omega]);
+                self.computed(asked, vec![product])
+            }
             What::Angle(link) => return Ok((self.axis(name, *link)?, Sense::Angle)),
             What::SlidePosition(id) => self.slide_position(name, *id)?,
             What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
@@ -363,6 +371,46 @@ impl Reader<'_> {
         }
         let number = if is_given { None } else { self.rate_or_given(rate)? };
         number.ok_or(Unread::Given)
+    }
+
+    /// A rate of a link, or the one that the scene gives; `None` if it is zero.
+    fn angular_or_given(&self, order: Order, link: BodyId) -> Result<Option<NumberId>, Unread> {
+        let rate = Rate::Angular(order, link);
+        if self.is_given(link) { self.rate_or_given(rate) } else { self.rate(rate).map(Some) }
+    }
+
+    /// The difference of two rates, of which the scene gives one at most.
+    fn relative_rate(&mut self, asked: &QuantityRequest, order: Order, links: [BodyId; 2]) -> Result<NumberId, Unread> {
+        self.needs_found(links)?;
+        let mut sum = Vec::new();
+        for (link, sign) in links.into_iter().zip([1.0, -1.0]) {
+            let number = self.angular_or_given(order, link)?;
+            sum.extend(number.map(|number| Product::new(ProductKind::Plain, sign, &[number])));
+        }
+        Ok(self.computed(asked, sum))
+    }
+
+    /// The quotient of two angular velocities, of which the scene gives one at most.
+    fn speed_ratio(&mut self, asked: &QuantityRequest, links: [BodyId; 2]) -> Result<NumberId, Unread> {
+        self.needs_found(links)?;
+        let [own, other] = links.map(|link| self.angular_or_given(Order::Velocity, link));
+        let (Some(own), Some(other)) = (own?, other?) else { return Err(Unread::Given) };
+        let row = Equation { left: vec![(0, Product::plain(other))], right: vec![Product::plain(own)] };
+        let sheet = asked.sheet_by_hand(&self.writer.construction);
+        let kind = NumberKind::Reading(asked.name().to_owned());
+        let found = self.writer.solve(sheet, vec![kind], vec![row]).ok_or(Unread::NotDrawn)?;
+        found.first().copied().ok_or(Unread::NotDrawn)
+    }
+
+    /// Refuses links of which the scene gives both rates.
+    fn needs_found(&self, links: [BodyId; 2]) -> Result<(), Unread> {
+        if links.into_iter().all(|link| self.is_given(link)) { Err(Unread::Given) } else { Ok(()) }
+    }
+
+    /// A number that a calculator finds from others.
+    fn computed(&mut self, asked: &QuantityRequest, sum: Vec<Product>) -> NumberId {
+        let sheet = asked.sheet_by_hand(&self.writer.construction);
+        self.writer.compute(sheet, NumberKind::Reading(asked.name().to_owned()), sum)
     }
 
     /// An angular velocity that is found by distances of centres.

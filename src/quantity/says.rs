@@ -26,6 +26,7 @@ messages! { "quantity":
     centre_at_place;
     rest_on_another;
     link_turns_not;
+    ratio_to_rest(link);
     path_is_straight;
     place_has_no_size(name);
     no_loads;

@@ -42,7 +42,7 @@ impl QuantityRequest {
     /// Whether it can be evaluated without the places and motions of points.
     #[must_use]
     pub fn is_of_links_alone(&self) -> bool {
-        matches!(self.what, What::Rate(_) | What::Angle(_) | What::Coriolis(..) | What::SlidePosition(_))
+        self.is_rate() || matches!(self.what, What::Angle(_) | What::Coriolis(..) | What::SlidePosition(_))
     }
 
     /// Whether special points or plans are needed to evaluate it.
@@ -64,6 +64,8 @@ impl QuantityRequest {
     pub fn order(&self) -> Option<Order> {
         match &self.what {
             What::Rate(rate) => Some(rate.order()),
+            What::RelativeRate(order, _) => Some(*order),
+            What::SpeedRatio(_) | What::Rpm(..) => Some(Order::Velocity),
             What::Motion(order, ..) | What::Segment(order, _) => Some(*order),
             What::Part(..) | What::Coriolis(..) => Some(Order::Acceleration),
             What::Angle(_)
@@ -133,10 +135,10 @@ impl QuantityRequest {
         matches!(self.what, What::Segment(..) | What::Length(..)) && self.written.component.is_none()
     }
 
-    /// Whether it is a rate that is solved for or given: its sense is written as a sign, or not at all.
+    /// Whether it is a rate that is solved for or given, or follows from such rates alone: its sense is written as a sign, or not at all.
     #[must_use]
     pub fn is_rate(&self) -> bool {
-        matches!(self.what, What::Rate(_))
+        matches!(self.what, What::Rate(_) | What::RelativeRate(..) | What::SpeedRatio(_) | What::Rpm(..))
     }
 
     /// The rate of a link or a slider that it is.
@@ -150,7 +152,13 @@ impl QuantityRequest {
     /// Whether it is an angle or an angular rate: its sign depends on the positive sense of rotation.
     #[must_use]
     pub fn turns(&self) -> bool {
-        matches!(self.kind(), QuantityKind::Angle | QuantityKind::AngularVelocity | QuantityKind::AngularAcceleration)
+        matches!(
+            self.kind(),
+            QuantityKind::Angle
+                | QuantityKind::AngularVelocity
+                | QuantityKind::AngularAcceleration
+                | QuantityKind::RotationalSpeed
+        )
     }
 
     /// Whether it is the direction of a line, which has no sense: of a centre at infinity.
@@ -193,6 +201,9 @@ impl QuantityRequest {
         let symbol = match &self.what {
             What::Rate(Rate::Angular(order, id)) => plain(order.rate(), link(*id)),
             What::Rate(Rate::Slide(order, id)) => slide(*order, SlidePart::Relative, *id),
+            What::RelativeRate(order, links) => plain(order.rate(), links.map(link).join("/")),
+            What::SpeedRatio(links) => plain("i", links.map(link).join(",")),
+            What::Rpm(id, _) => plain("n", link(*id)),
             What::Angle(id) => plain("φ", link(*id)),
             What::SlidePosition(id) => Symbol { after: format!("({})", names(*id).pair), ..plain("s", String::new()) },
             What::Coriolis(id, _) => slide(Order::Acceleration, SlidePart::Coriolis, *id),

@@ -11,6 +11,8 @@ use crate::motion::Motion;
 use crate::position::Pose;
 use crate::scene::Component;
 use crate::sheet::{Order, Scales};
+use crate::text::shown;
+use core::f64::consts::TAU;
 
 /// The value of a quantity, in the scene's units; angles in degrees, rates in rad per unit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,6 +72,19 @@ impl QuantityRequest {
         let value = match &self.what {
             What::Rate(Rate::Angular(order, link)) => Number(state.angular_rates(*link)[*order]),
             What::Rate(Rate::Slide(order, id)) => Number(state.slide_rates(*id)[*order]),
+            What::RelativeRate(order, links) => {
+                let [own, other] = links.map(|link| state.angular_rates(link)[*order]);
+                Number(own - other)
+            }
+            What::SpeedRatio(links) => {
+                let [own, other] = links.map(|link| state.angular_rates(link)[Order::Velocity]);
+                let ratio = own / other;
+                if !ratio.is_finite() {
+                    return Err(self.none(says::ratio_to_rest(self.argument(1))));
+                }
+                Number(ratio)
+            }
+            What::Rpm(link, time) => Number(state.angular_rates(*link)[Order::Velocity] * time.in_a_minute() / TAU),
             What::Angle(link) => {
                 let axis = state.axis(*link);
                 Number(degrees_of(axis.ok_or_else(|| self.none(says::no_axis()))?))
@@ -126,6 +141,11 @@ impl QuantityRequest {
             }),
             (value, _) => value,
         }
+    }
+
+    /// What stands in its parentheses at this index, as a message quotes it.
+    fn argument(&self, index: usize) -> String {
+        self.written.arguments.get(index).map_or_else(String::new, |name| shown(name))
     }
 
     pub(super) fn none(&self, why: Message) -> QuantityError {

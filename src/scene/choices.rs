@@ -269,6 +269,23 @@ impl Units {
     }
 }
 
+impl Default for TimeUnit {
+    fn default() -> TimeUnit {
+        TimeUnit::S
+    }
+}
+
+impl TimeUnit {
+    /// How many of this unit are a minute.
+    #[must_use]
+    pub const fn in_a_minute(self) -> f64 {
+        match self {
+            TimeUnit::S => 60.0,
+            TimeUnit::Min => 1.0,
+        }
+    }
+}
+
 choice! {
     /// A unit of length.
     LengthUnit {

@@ -21,10 +21,14 @@ pub struct QuantityName {
 /// What a quantity's name asks for: the word before its parenthesis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Head {
-    /// Angular velocity of a link.
+    /// Angular velocity of a link, or relative to a second one.
     Omega,
-    /// Angular acceleration of a link.
+    /// Angular acceleration of a link, or relative to a second one.
     Alpha,
+    /// The angular velocity of a link over that of a second one.
+    SpeedRatio,
+    /// Angular velocity of a link in revolutions a minute.
+    Rpm,
     /// Angle of a link's axis from +x.
     Angle,
     /// Position of a slider along its guide.
@@ -134,6 +138,8 @@ impl Head {
     const KNOWN: &'static [(Head, &'static str, Argument, QuantityKind)] = &[
         (Head::Omega, "omega", Argument::Link, QuantityKind::AngularVelocity),
         (Head::Alpha, "alpha", Argument::Link, QuantityKind::AngularAcceleration),
+        (Head::SpeedRatio, "i", Argument::Link, QuantityKind::SpeedRatio),
+        (Head::Rpm, "rpm", Argument::Link, QuantityKind::RotationalSpeed),
         (Head::Angle, "angle", Argument::Link, QuantityKind::Angle),
         (Head::SlidePosition, "position", Argument::Slider, QuantityKind::Position),
         (Head::SlideVelocity, "v_r", Argument::Slider, QuantityKind::Velocity),
@@ -208,11 +214,14 @@ impl Head {
         self.facts().2
     }
 
-    /// What separates its two points; `None` where it has one argument.
+    /// What separates its two arguments; `None` where it has one.
     fn separator(self) -> Option<&'static str> {
         match self {
-            Head::Velocity | Head::Acceleration | Head::Normal | Head::Tangential => Some("/"),
+            Head::Omega | Head::Alpha | Head::Velocity | Head::Acceleration | Head::Normal | Head::Tangential => {
+                Some("/")
+            }
             Head::Between(_)
+            | Head::SpeedRatio
             | Head::Center
             | Head::Reaction
             | Head::ReactionAlong
@@ -223,10 +232,11 @@ impl Head {
         }
     }
 
-    /// Its arguments, from what stands between a name's parentheses; `None` where a second point is missing.
+    /// Its arguments, from what stands between a name's parentheses; `None` where a second one is missing.
     fn split(self, inner: &str) -> Option<Vec<&str>> {
-        // A velocity and an acceleration have a second point or not.
-        let needs_two = self.separator().is_some() && !matches!(self, Head::Velocity | Head::Acceleration);
+        // Velocities and accelerations are against the frame, or against a second point or link.
+        let may_be_one = matches!(self, Head::Omega | Head::Alpha | Head::Velocity | Head::Acceleration);
+        let needs_two = self.separator().is_some() && !may_be_one;
         match self.separator().and_then(|by| split_outside(inner, by)) {
             Some((first, second)) => Some(vec![first, second]),
             None => (!needs_two).then(|| vec![inner]),
@@ -391,6 +401,8 @@ impl QuantityKind {
             QuantityKind::Angle => "°".to_owned(),
             QuantityKind::AngularVelocity => format!("rad/{time}"),
             QuantityKind::AngularAcceleration => format!("rad/{time}²"),
+            QuantityKind::RotationalSpeed => "rpm".to_owned(),
+            QuantityKind::SpeedRatio => String::new(),
             QuantityKind::Position | QuantityKind::Length => length.to_owned(),
             QuantityKind::Velocity => format!("{length}/{time}"),
             QuantityKind::Acceleration => format!("{length}/{time}²"),

@@ -225,6 +225,8 @@ curves = Kurven
 hodograph = Hodograph von {$vector}
 angle = Winkel
 angular_velocity = Winkelgeschwindigkeit
+rotational_speed = Drehzahl
+speed_ratio = Übersetzung
 angular_acceleration = Winkelbeschleunigung
 position = Position
 length = Länge
@@ -1261,7 +1263,7 @@ accuracy-at_change = Verzweigungslage bei {$place}: Glieder {$links} könnten au
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` ist keine Größe; bekannte Formen: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D) R(B,2) R_n(B,2) R_t(B,2) N(3/2) M(3/2) h(3/2) T(1) F(3/2) F_i(2) M_i(2) a_cm(2) moment(F1,S3) power(F1) shaking shaking(A); Vektoren auch mit .x .y .size .angle, Strecken der Pläne mit /mu
+quantity-no_quantity = `{$name}` ist keine Größe; bekannte Formen: omega(2) alpha(2) omega(2/1) alpha(2/1) i(3,1) rpm(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D) R(B,2) R_n(B,2) R_t(B,2) N(3/2) M(3/2) h(3/2) T(1) F(3/2) F_i(2) M_i(2) a_cm(2) moment(F1,S3) power(F1) shaking shaking(A); Vektoren auch mit .x .y .size .angle, Strecken der Pläne mit /mu
 quantity-no_link = `{$quantity}`: es gibt hier kein Glied `{$name}`
 quantity-no_slider = `{$quantity}`: es gibt hier keinen Schieber `{$name}`
 quantity-no_point = `{$quantity}`: es gibt hier keinen Punkt `{$name}`
@@ -1284,6 +1286,7 @@ quantity-centre_at_infinity = der Momentanpol liegt im Unendlichen und hat nur e
 quantity-centre_at_place = der Momentanpol liegt an einem Ort: `.x`, `.y`
 quantity-rest_on_another = die Glieder ruhen gegeneinander
 quantity-link_turns_not = das Glied dreht sich nicht
+quantity-ratio_to_rest = Glied `{$link}` dreht sich nicht, sodass es kein Verhältnis zu ihm gibt
 quantity-path_is_straight = die Bahn ist dort gerade, oder der Punkt ruht
 quantity-place_has_no_size = `{$name}` ist ein Ort und hat keinen Betrag; fragen Sie nach `.x` oder `.y`
 quantity-no_loads = die Szene hat keine Massen, Kräfte oder Federn
@@ -1458,6 +1461,8 @@ check-line = Zeile {$number}
 
 check-angle = einen Winkel
 check-angular_velocity = eine Winkelgeschwindigkeit
+check-rotational_speed = eine Drehzahl
+check-speed_ratio = eine Übersetzung
 check-angular_acceleration = eine Winkelbeschleunigung
 check-position = eine Position
 check-length = eine Länge

@@ -242,6 +242,8 @@ curves = Curves
 hodograph = Hodograph of {$vector}
 angle = Angle
 angular_velocity = Angular velocity
+rotational_speed = Rotational speed
+speed_ratio = Ratio of angular velocities
 angular_acceleration = Angular acceleration
 position = Position
 length = Length
@@ -1294,7 +1296,7 @@ accuracy-at_change = change point at {$place}: links {$links} could go on in ano
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` is no quantity; known forms: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D) R(B,2) R_n(B,2) R_t(B,2) N(3/2) M(3/2) h(3/2) T(1) F(3/2) F_i(2) M_i(2) a_cm(2) moment(F1,S3) power(F1) shaking shaking(A); vectors also with .x .y .size .angle, plan segments with /mu
+quantity-no_quantity = `{$name}` is no quantity; known forms: omega(2) alpha(2) omega(2/1) alpha(2/1) i(3,1) rpm(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D) R(B,2) R_n(B,2) R_t(B,2) N(3/2) M(3/2) h(3/2) T(1) F(3/2) F_i(2) M_i(2) a_cm(2) moment(F1,S3) power(F1) shaking shaking(A); vectors also with .x .y .size .angle, plan segments with /mu
 quantity-no_link = `{$quantity}`: there is no link `{$name}` here
 quantity-no_slider = `{$quantity}`: there is no slider `{$name}` here
 quantity-no_point = `{$quantity}`: there is no point `{$name}` here
@@ -1317,6 +1319,7 @@ quantity-centre_at_infinity = the centre lies at infinity, and has a direction a
 quantity-centre_at_place = the centre lies at a place: `.x`, `.y`
 quantity-rest_on_another = the links rest on one another
 quantity-link_turns_not = the link does not turn
+quantity-ratio_to_rest = link `{$link}` does not turn, so that no ratio to it can be given
 quantity-path_is_straight = the path is straight there, or the point is at rest
 quantity-place_has_no_size = `{$name}` is a place, which has no size; ask for its `.x` or `.y`
 quantity-no_loads = the scene has no masses, forces or springs
@@ -1491,6 +1494,8 @@ check-line = line {$number}
 
 check-angle = an angle
 check-angular_velocity = an angular velocity
+check-rotational_speed = a rotational speed
+check-speed_ratio = a ratio of angular velocities
 check-angular_acceleration = an angular acceleration
 check-position = a position
 check-length = a length

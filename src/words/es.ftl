@@ -223,6 +223,8 @@ curves = Curvas
 hodograph = Hodógrafa de {$vector}
 angle = Ángulo
 angular_velocity = Velocidad angular
+rotational_speed = Velocidad de giro
+speed_ratio = Relación de velocidades angulares
 angular_acceleration = Aceleración angular
 position = Posición
 length = Longitud
@@ -1259,7 +1261,7 @@ accuracy-at_change = punto de cambio en {$place}: los eslabones {$links} podría
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` no es una magnitud; formas conocidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D) R(B,2) R_n(B,2) R_t(B,2) N(3/2) M(3/2) h(3/2) T(1) F(3/2) F_i(2) M_i(2) a_cm(2) moment(F1,S3) power(F1) shaking shaking(A); los vectores también con .x .y .size .angle, los segmentos de los planos con /mu
+quantity-no_quantity = `{$name}` no es una magnitud; formas conocidas: omega(2) alpha(2) omega(2/1) alpha(2/1) i(3,1) rpm(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D) R(B,2) R_n(B,2) R_t(B,2) N(3/2) M(3/2) h(3/2) T(1) F(3/2) F_i(2) M_i(2) a_cm(2) moment(F1,S3) power(F1) shaking shaking(A); los vectores también con .x .y .size .angle, los segmentos de los planos con /mu
 quantity-no_link = `{$quantity}`: no existe aquí el eslabón `{$name}`
 quantity-no_slider = `{$quantity}`: no existe aquí la corredera `{$name}`
 quantity-no_point = `{$quantity}`: no existe aquí el punto `{$name}`
@@ -1282,6 +1284,7 @@ quantity-centre_at_infinity = el centro está en el infinito y solo tiene direcc
 quantity-centre_at_place = el centro está en un lugar: `.x`, `.y`
 quantity-rest_on_another = los eslabones están en reposo uno respecto del otro
 quantity-link_turns_not = el eslabón no gira
+quantity-ratio_to_rest = el eslabón `{$link}` no gira, así que no hay relación con él
 quantity-path_is_straight = la trayectoria es recta ahí, o el punto está en reposo
 quantity-place_has_no_size = `{$name}` es un lugar y no tiene módulo; pida su `.x` o su `.y`
 quantity-no_loads = la escena no tiene masas, fuerzas ni resortes
@@ -1456,6 +1459,8 @@ check-line = línea {$number}
 
 check-angle = ángulo
 check-angular_velocity = velocidad angular
+check-rotational_speed = una velocidad de giro
+check-speed_ratio = una relación de velocidades angulares
 check-angular_acceleration = aceleración angular
 check-position = posición
 check-length = longitud

@@ -225,6 +225,8 @@ curves = Curvas
 hodograph = Hodógrafo de {$vector}
 angle = Ângulo
 angular_velocity = Velocidade angular
+rotational_speed = Velocidade de rotação
+speed_ratio = Relação de velocidades angulares
 angular_acceleration = Aceleração angular
 position = Posição
 length = Comprimento
@@ -1261,7 +1263,7 @@ accuracy-at_change = ponto de mudança em {$place}: os elos {$links} também pod
 
 ## Errors and warnings: quantity
 
-quantity-no_quantity = `{$name}` não é uma grandeza; formas conhecidas: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D) R(B,2) R_n(B,2) R_t(B,2) N(3/2) M(3/2) h(3/2) T(1) F(3/2) F_i(2) M_i(2) a_cm(2) moment(F1,S3) power(F1) shaking shaking(A); vetores também com .x .y .size .angle, segmentos dos polígonos com /mu
+quantity-no_quantity = `{$name}` não é uma grandeza; formas conhecidas: omega(2) alpha(2) omega(2/1) alpha(2/1) i(3,1) rpm(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3) P(1,3) W(2) G(2) d_i(2) rho(D) R(B,2) R_n(B,2) R_t(B,2) N(3/2) M(3/2) h(3/2) T(1) F(3/2) F_i(2) M_i(2) a_cm(2) moment(F1,S3) power(F1) shaking shaking(A); vetores também com .x .y .size .angle, segmentos dos polígonos com /mu
 quantity-no_link = `{$quantity}`: não existe aqui o elo `{$name}`
 quantity-no_slider = `{$quantity}`: não existe aqui o cursor `{$name}`
 quantity-no_point = `{$quantity}`: não existe aqui o ponto `{$name}`
@@ -1284,6 +1286,7 @@ quantity-centre_at_infinity = o centro está no infinito e tem apenas direção:
 quantity-centre_at_place = o centro está em um lugar: `.x`, `.y`
 quantity-rest_on_another = os elos estão em repouso um em relação ao outro
 quantity-link_turns_not = o elo não gira
+quantity-ratio_to_rest = o elo `{$link}` não gira, de modo que não há relação com ele
 quantity-path_is_straight = a trajetória é reta ali, ou o ponto está em repouso
 quantity-place_has_no_size = `{$name}` é um lugar e não tem módulo; peça o seu `.x` ou `.y`
 quantity-no_loads = a cena não tem massas, forças nem molas
@@ -1458,6 +1461,8 @@ check-line = linha {$number}
 
 check-angle = ângulo
 check-angular_velocity = velocidade angular
+check-rotational_speed = uma velocidade de rotação
+check-speed_ratio = uma relação de velocidades angulares
 check-angular_acceleration = aceleração angular
 check-position = posição
 check-length = comprimento

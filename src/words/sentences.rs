@@ -275,6 +275,8 @@ sentences! {
     hodograph(vector);
     angle;
     angular_velocity;
+    rotational_speed;
+    speed_ratio;
     angular_acceleration;
     position;
     length;

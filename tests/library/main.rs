@@ -29,6 +29,7 @@
 //!   links' images.
 //! - Cams: `cams` holds contacts of profiles to independent digits and to closed forms over whole turns.
 //! - Racks and belts: `racks` holds rolling wheels, racks and the forces of teeth to closed forms and independent digits.
+//! - Speeds: `speeds` holds relative rates, ratios and revolutions a minute to Willis' formula, to distances of instant centres and to what a hand reads.
 //! - Wheels: `gears` holds trains to independent digits and to Willis' formula, geared five-bars and rolling curves to closed forms, pitch points to centres.
 //! - Wheels: `trains` holds their construction by pitch points to the same formula, and exercises to teeth that fit; `gears` holds trains to independent digits and to Willis' formula, geared five-bars and rolling curves to closed forms, pitch points to centres.
 //! - Sizes: `sizes` draws a thousand links, and holds how time grows; `growth` does so for what else may be large.
@@ -128,6 +129,7 @@ mod scene_build;
 mod scene_read;
 mod singular;
 mod sizes;
+mod speeds;
 mod stage;
 mod step_names;
 mod students;
@@ -135,6 +137,7 @@ mod studies;
 mod templates;
 mod ties;
 mod toothed;
+
 mod trains;
 mod values;
 mod whole_errors;

@@ -238,6 +238,8 @@ fn names(language: &Language, kind: QuantityKind) -> (&str, &'static str) {
         QuantityKind::Angle => (language.angle(), "angle"),
         QuantityKind::AngularVelocity => (language.angular_velocity(), "omega"),
         QuantityKind::AngularAcceleration => (language.angular_acceleration(), "alpha"),
+        QuantityKind::RotationalSpeed => (language.rotational_speed(), "rpm"),
+        QuantityKind::SpeedRatio => (language.speed_ratio(), "ratio"),
         QuantityKind::Position => (language.position(), "position"),
         QuantityKind::Length => (language.length(), "length"),
         QuantityKind::Velocity => (language.velocity(), "velocity"),

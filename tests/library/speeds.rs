@@ -1,0 +1,187 @@
+//! Relative angular rates, ratios of speeds and revolutions a minute: against Willis' formula in whole numbers, against distances of
+//! instant centres, in tables, and as a hand finds them.
+
+use crate::gears::{number, solution};
+use kinegon::construction::Tolerance;
+use kinegon::geometry::{Point, Vector};
+use kinegon::quantity::{Quantity, QuantityRequest, pencil};
+use serde_json::{Value, json};
+use support::random::Random;
+use support::stages::solved;
+
+/// Random trains.
+const COUNT: u64 = 300;
+
+/// An arm that carries a planet between a sun and a fixed ring, driven at so many revolutions a minute.
+fn planetary(teeth: [i64; 2], rpm: i64, time: &str) -> Value {
+    let [sun, planet] = teeth;
+    json!({ "kinegon": 1, "units": { "length": "mm", "time": time }, "ground": { "A": [0, 0] },
+        "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "angle": 40, "rpm": rpm } },
+                   "2": { "points": ["B", "Q"], "lengths": { "BQ": 20 } },
+                   "3": { "points": ["A", "E"], "lengths": { "AE": 40 } } },
+        "gears": [ { "mesh": ["2", "ground"], "teeth": [planet, -(sun + 2 * planet)], "on": "1" },
+                   { "mesh": ["3", "2"], "teeth": [sun, planet], "on": "1" } ] })
+}
+
+/// A crank that drives a rocker.
+fn four_bar(drive: &Value) -> Value {
+    json!({ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [100, 0] },
+        "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 40 }, "drive": drive },
+                   "2": { "points": ["B", "C"], "lengths": { "BC": 90 } },
+                   "3": { "points": ["C", "D"], "lengths": { "CD": 70 } } },
+        "near": { "C": [110, 65] } })
+}
+
+/// Value and stated bound of a wanted quantity, from the result.
+fn wanted(result: &Value, name: &str) -> (f64, f64) {
+    let own = &result["quantities"][name];
+    let read = |key: &str| own[key].as_f64().unwrap_or_else(|| panic!("{name} has no {key}: {own}"));
+    (read("value"), read("error"))
+}
+
+fn result_of(mut scene: Value, want: &[&str]) -> Value {
+    scene["want"] = json!(want);
+    serde_json::to_value(solution(&scene).whole_result().expect("it has values")).expect("a result is JSON")
+}
+
+/// With a fixed ring: ω₃/ω₁ = 1 + z_r/z_s, ω₂/ω₁ = 1 − z_r/z_p, as quotients of whole numbers; and revolutions a minute of the drive are as given,
+/// in both units of time.
+#[test]
+fn speeds_of_trains_are_those_of_willis() {
+    for seed in 0..COUNT {
+        let dice = &mut Random(seed);
+        let teeth = [17 + dice.below(84) as i64, 17 + dice.below(84) as i64];
+        let rpm = 1 + dice.below(3000) as i64;
+        let rpm = if dice.below(2) == 0 { rpm } else { -rpm };
+        let [sun, planet] = teeth;
+        let ring = sun + 2 * planet;
+        let time = ["s", "min"][dice.below(2) as usize];
+        let result = result_of(
+            planetary(teeth, rpm, time),
+            &["i(3,1)", "i(1,3)", "i(2,3)", "i(3/2)", "rpm(1)", "rpm(2)", "rpm(3)"][..3],
+        );
+        let speeds = result_of(planetary(teeth, rpm, time), &["rpm(1)", "rpm(2)", "rpm(3)", "i(2,1)"]);
+        for (result, name, above, below) in [
+            (&result, "i(3,1)", sun + ring, sun),
+            (&result, "i(1,3)", sun, sun + ring),
+            (&result, "i(2,3)", (planet - ring) * sun, planet * (sun + ring)),
+            (&speeds, "i(2,1)", planet - ring, planet),
+            (&speeds, "rpm(1)", rpm, 1),
+            (&speeds, "rpm(2)", rpm * (planet - ring), planet),
+            (&speeds, "rpm(3)", rpm * (sun + ring), sun),
+        ] {
+            let (value, error) = wanted(result, name);
+            let truth = above as f64 / below as f64;
+            // The quotient itself is rounded.
+            let allowed = error + 0.5 * f64::EPSILON * truth.abs();
+            assert!(
+                (value - truth).abs() <= allowed,
+                "{name} = {value} ± {error}, truth {truth}: {teeth:?}, {rpm} in {time}"
+            );
+            assert!(error <= 1e-14 * truth.abs(), "{name} = {value} ± {error} is not sharp");
+        }
+        assert_eq!(speeds["quantities"]["rpm(3)"]["unit"], "rpm");
+        assert_eq!(speeds["quantities"]["i(2,1)"]["unit"], "");
+    }
+}
+
+/// Seen from the arm the wheels turn as in a train at rest: (ω₃ − ω₁)/(ω₂ − ω₁) = −z₂/z₃, and so do their accelerations.
+#[test]
+fn relative_rates_are_those_seen_from_the_arm() {
+    let mut scene = planetary([40, 20], 30, "min");
+    scene["links"]["1"]["drive"] = json!({ "angle": 40, "omega": 4, "alpha": 6 });
+    for (head, of_arm) in [("omega", 4.0), ("alpha", 6.0)] {
+        let names =
+            [format!("{head}(2/1)"), format!("{head}(3/1)"), format!("{head}(1/2)"), format!("{head}(2/ground)")];
+        let result = result_of(scene.clone(), &names.each_ref().map(String::as_str));
+        // z_p (ω_p − ω_a) = z_r (0 − ω_a): −4 of the arm's.
+        for (name, truth) in names.iter().zip([-4.0 * of_arm, 2.0 * of_arm, 4.0 * of_arm, -3.0 * of_arm]) {
+            let (value, error) = wanted(&result, name);
+            assert!((value - truth).abs() <= error && error <= 1e-13, "{name} = {value} ± {error}, truth {truth}");
+        }
+    }
+}
+
+/// Kennedy and Aronhold: ω₃/ω₁ is the quotient of the distances of P₁₃ from P₁₀ and P₃₀, in the sense of these on their line.
+#[test]
+fn a_ratio_is_that_of_distances_of_centres() {
+    let mut compared = 0;
+    for degrees in (5..360).step_by(7) {
+        let solved = solution(&four_bar(&json!({ "angle": degrees, "omega": -3, "alpha": 2 })));
+        // From lengths alone: the joints' places.
+        let place =
+            |name: &str| Point::new(number(&solved, &format!("x({name})")), number(&solved, &format!("y({name})")));
+        let [b, c] = [place("B"), place("C")];
+        // The coupler's line crosses that of the frame, on which A and D are.
+        let along = c - b;
+        let at = b.x - along.x * b.y / along.y;
+        let truth = at / (at - 100.0);
+        if along.y.abs() < 5.0 || truth.abs() > 100.0 {
+            continue;
+        }
+        let ratio = number(&solved, "i(3,1)");
+        assert!((ratio - truth).abs() <= 1e-11 * truth.abs().max(1.0), "at {degrees}°: {ratio}, by centres {truth}");
+        compared += 1;
+    }
+    assert!(compared > 40, "{compared}");
+}
+
+/// A ratio to a link at rest has no value, and the message says which link rests; nor has one to a link that turns by less than its bound.
+#[test]
+fn there_is_no_ratio_to_a_link_at_rest() {
+    let solved = solution(&planetary([40, 20], 30, "s"));
+    let error = solved.quantity("i(3,ground)").expect_err("the frame rests").problem().message.to_string();
+    assert!(error.contains("`ground` does not turn"), "{error}");
+    assert!(matches!(solved.quantity("i(ground,3)"), Ok(Quantity::Number(0.0))));
+    for name in ["i(3)", "i(3/1)", "rpm(3/1)", "omega(3,1)", "rpm(2).size"] {
+        assert!(solved.quantity(name).is_err(), "{name}");
+    }
+    // A dead centre of the rocker: crank and coupler in one line, so that it stands still for a moment, though rounding may say otherwise.
+    let cos = (100.0_f64.powi(2) + 130.0_f64.powi(2) - 70.0_f64.powi(2)) / (2.0 * 100.0 * 130.0);
+    let mut scene = four_bar(&json!({ "angle": libm::acos(cos).to_degrees(), "omega": -3 }));
+    scene["want"] = json!(["i(1,3)"]);
+    let result = serde_json::to_value(solution(&scene).whole_result().expect("it has values")).expect("JSON");
+    println!("{}", result["quantities"]);
+    let bound = &result["quantities"]["i(1,3)"]["error"];
+    assert!(bound.as_f64().is_none_or(f64::is_finite), "{result}");
+}
+
+/// Tables have them as they follow from the columns of single rates.
+#[test]
+fn tables_have_relative_rates_and_ratios() {
+    let solved = solution(&four_bar(&json!({ "angle": 40, "omega": -3, "alpha": 2 })));
+    let names =
+        ["omega(1)", "omega(2)", "omega(3)", "alpha(2)", "alpha(3)", "omega(2/3)", "alpha(2/3)", "i(3,1)", "rpm(2)"];
+    for degrees in (0..360).step_by(15) {
+        let at = solution(&four_bar(&json!({ "angle": degrees, "omega": -3, "alpha": 2 })));
+        let [one, two, three, second, third, relative, of_second, ratio, rpm] = names.map(|name| number(&at, name));
+        assert_eq!(relative, two - three);
+        assert_eq!(of_second, second - third);
+        assert_eq!(ratio, three / one);
+        assert!((rpm - two * 30.0 / core::f64::consts::PI).abs() <= 1e-14 * rpm.abs());
+    }
+    drop(solved);
+}
+
+/// A hand computes them from the rates that it has found, and its band is as wide as that of these.
+#[test]
+fn a_hand_computes_them_from_its_rates() {
+    let scene = four_bar(&json!({ "angle": 65, "omega": -3, "alpha": 2 }));
+    let solved = solved(&scene.to_string()).expect("it is solved");
+    let names = ["omega(2)", "omega(3)", "omega(2/1)", "omega(2/3)", "alpha(3/1)", "i(3,1)", "rpm(3)", "rpm(1)"];
+    let asked = names.map(|name| QuantityRequest::new(name, &solved.mechanism).expect(name)).to_vec();
+    let pencil = pencil(&solved, &solved.scales(), Tolerance::default(), asked);
+    let band = |name: &str| pencil.band(name).unwrap_or_else(|| panic!("{name} is not read"));
+    for name in &names[..7] {
+        let (own, truth) = (band(name), number(&solved, name));
+        assert!((own.value - truth).abs() <= 1e-9 * truth.abs(), "{name}: {own:?}, {truth}");
+        assert!(own.band > 0.0, "{name}: {own:?}");
+    }
+    let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b;
+    // The drive's rate is given, so that only that of the other link scatters.
+    assert!(close(band("omega(2/1)").band, band("omega(2)").band));
+    assert!(close(band("i(3,1)").band, band("omega(3)").band / 3.0));
+    assert!(close(band("rpm(3)").band, band("omega(3)").band * 30.0 / core::f64::consts::PI));
+    assert!(pencil.band("rpm(1)").is_none(), "the scene gives it");
+    let _: Option<Vector> = None;
+}
