@@ -269,12 +269,6 @@ impl Units {
     }
 }
 
-impl Default for TimeUnit {
-    fn default() -> TimeUnit {
-        TimeUnit::S
-    }
-}
-
 impl TimeUnit {
     /// How many of this unit are a minute.
     #[must_use]
@@ -318,8 +312,10 @@ impl LengthUnit {
 
 choice! {
     /// A unit of time.
+    #[derive(Default)]
     TimeUnit {
         /// second
+        #[default]
         S = "s",
         /// minute
         Min = "min",
