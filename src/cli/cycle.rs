@@ -13,7 +13,7 @@ use crate::drawing::{curves, hodographs, paths};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
 use crate::scene::{Scene, SizeLimit};
-use crate::words::Wording;
+use crate::words::{Medium, Wording};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -138,7 +138,7 @@ impl Range {
             }));
         }
         ends(words).iter().for_each(|end| note(end));
-        branch.told_engagement(words).iter().for_each(|said| note(said));
+        branch.told_engagement(words, Medium::Text).iter().for_each(|said| note(said));
         Ok(())
     }
 }

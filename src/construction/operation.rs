@@ -2,7 +2,7 @@ use super::cut::SpecialId;
 use super::kennedy::CenterId;
 use super::number::{Equation, NumberId, Product};
 use crate::geometry::Vector;
-use crate::mechanism::{PointId, SliderId};
+use crate::mechanism::{JointId, PointId, SliderId};
 use crate::sheet::Sheet;
 use smallvec::SmallVec;
 
@@ -60,6 +60,8 @@ pub enum OperationRole {
     Center(CenterId),
     /// The place where a load acts: its index among the loads of the force plan.
     Load(usize),
+    /// The pitch point of wheels that mesh, or of a wheel and its rack.
+    Pitch(JointId),
     /// A line of action of a force, or a normal to it.
     ForceLine,
     /// The foot of the normal from a point to a line of action.

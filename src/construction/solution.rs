@@ -92,7 +92,7 @@ impl Solution {
         let Solution { mechanism, pose, .. } = self;
         mechanism.slider_ids().filter_map(|id| {
             let ([low, high], at) = (mechanism.slider(id).travel?, pose.slides[id.0]?);
-            let is_off = !(low..=high).contains(&at);
+            let is_off = mechanism.slider(id).beyond(at).is_some();
             is_off.then(|| off_guide(mechanism.slider_name(id), format!("{at:.4}"), low, high))
         })
     }
@@ -196,9 +196,7 @@ fn with_forces(
     }
     let Some(computed) = forces(mechanism, &AtPose::new(mechanism, pose)) else { return construction };
     let mut writer = Writer::continued(mechanism, pose, motion, construction);
-    // Tooth forces are not in the polygons, which would not close.
-    let has_wheels = mechanism.joints.iter().any(|joint| joint.pitch.is_some() || joint.rack.is_some());
-    force_plan(&mut writer, &computed, panels.contains(&Sheet::Forces) && !has_wheels);
+    force_plan(&mut writer, &computed, panels.contains(&Sheet::Forces));
     if panels.contains(&Sheet::Lever) {
         writer.construction.levers = levers(&mut writer, &computed);
     }

@@ -54,9 +54,6 @@ const ROUNDED: f64 = 1e-14;
 /// that runs off to infinity is not, but there the error is of the third power of the distance.
 const NEAR_END: f64 = 1e-6;
 
-/// Most halvings of a step in which a slider leaves its guide.
-const BISECTIONS: usize = 60;
-
 /// Distances before a change point from which a leap may start, in turns: the shorter ones are for motions that are
 /// quick there.
 const LEAPS: [f64; 4] = [4e-3, 4e-4, 4e-5, 4e-6];
@@ -164,8 +161,9 @@ fn trace(path: &Path, nodes: &mut Vec<Node>, target: f64) -> (Vec<Event>, Option
                 // step with the twelfth.
                 let growth = libm::pow(allowed(tried / unit) / correction.doubt.max(1e-30), 1.0 / 12.0);
                 step = tried * (0.9 * growth).clamp(0.3, 2.0);
-                if path.off_guide(&node.block).is_some() {
-                    let (node, event) = leaving(path, last, node);
+                let further = |to: f64| Some(advance(path, last, to)?.0);
+                if let Some(beyond) = path.beyond_guides(last, &node, further) {
+                    let (node, event) = path.leaving(last, beyond, further);
                     nodes.extend(node);
                     return (changes, Some(event));
                 }
@@ -188,33 +186,6 @@ fn trace(path: &Path, nodes: &mut Vec<Node>, target: f64) -> (Vec<Event>, Option
             }
         }
     }
-}
-
-/// Where a slider leaves its guide between two nodes, of which the first is on all guides, and the last position before. There may be none between,
-/// where the first stands at the end itself.
-fn leaving(path: &Path, last: &Node, beyond: Node) -> (Option<Node>, Event) {
-    let (mut low, mut high) = (last.value, beyond.value);
-    let (mut kept, mut off) = (None, path.off_guide(&beyond.block));
-    for _ in 0..BISECTIONS {
-        let middle = low + 0.5 * (high - low);
-        if middle == low || middle == high {
-            break;
-        }
-        match advance(path, last, middle).map(|(node, _)| (path.off_guide(&node.block), node)) {
-            Some((None, node)) => (low, kept) = (middle, Some(node)),
-            Some((Some(farther), _)) => (high, off) = (middle, Some(farther)),
-            None => break,
-        }
-    }
-    let within = (high - low).abs() + ROUNDED * path.unit();
-    let what = off.map(|(id, _)| {
-        let [least, most] = path.mechanism.slider(id).travel.unwrap_or_default();
-        let at = kept.as_ref().unwrap_or(last).block.slides[id.0][0];
-        let position = if (at - least).abs() < (most - at).abs() { least } else { most };
-        Happening::Leaves { slider: path.mechanism.slider_name(id), position }
-    });
-    let what = what.unwrap_or_else(|| Happening::Singular(String::new()));
-    (kept, Event { at: low, within, what })
 }
 
 /// The event that ends a path at the last of its nodes.

@@ -114,7 +114,7 @@ pub(super) fn sentence_on_paths(context: &SheetContext<'_>) -> Option<String> {
     let shown = |name: &str| context.told(name, None);
     let contacts = contacts_told(context.mechanism(), &context.words, &shown).into_iter();
     let off = context.solution.off_guides().map(|message| sentence(&context.words.language.says(&message)));
-    let engaged = told_engagement(context.solution, &context.words);
+    let engaged = told_engagement(context.solution, &context.words, Medium::Figure);
     let told = contacts.chain(off).chain(engaged).chain(friction(context));
     let all = told.chain(ticks(context)).chain(centrodes(context)).chain(inflection(context));
     let all: Vec<String> = all.collect();

@@ -11,7 +11,7 @@ use crate::mechanism::{BodyId, PointId, Role};
 use crate::quantity::{Band, Head, Pencil, Quantity, QuantityRequest, Unread, measured_names};
 use crate::scene::{ForceUnit, MassUnit, SceneError, Units};
 use crate::sheet::{Order, Scales};
-use crate::words::Wording;
+use crate::words::{Medium, Wording};
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
@@ -363,9 +363,7 @@ impl Solution {
                 on: mechanism.body(slider.on).name.clone(),
                 position: pose.slides[id.0],
                 position_error: bounds.slide_position(id),
-                engaged: slider
-                    .travel
-                    .map(|[low, high]| pose.slides[id.0].is_some_and(|at| (low..=high).contains(&at))),
+                engaged: slider.travel.and(pose.slides[id.0]).map(|at| slider.beyond(at).is_none()),
                 velocity: slide.velocity,
                 velocity_error,
                 velocity_error_at_position: slide.velocity_error,
@@ -415,7 +413,7 @@ impl Solution {
             warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).chain(pulling).collect(),
             notes: told_turning_back(self, &Wording::default())
                 .into_iter()
-                .chain(told_engagement(self, &Wording::default()))
+                .chain(told_engagement(self, &Wording::default(), Medium::Text))
                 .collect(),
         }
     }

@@ -25,7 +25,6 @@ use super::value::{NearValue, Vector};
 use super::write::{text_of, write_keys};
 use crate::geometry::Ball;
 use crate::message::Message;
-use crate::sheet::Sheet;
 use crate::text::{Untrusted, shown};
 
 /// A planar mechanism: x right, y up, counter-clockwise positive, angles in degrees.
@@ -380,9 +379,6 @@ fn check(file: SceneFile, text: &str, mut digits: Digits) -> Result<Scene, Wrong
     let near = near(given_by, &names, file.near)?;
     check_motions(&names)?;
     let figure = file.figure.unwrap_or_default();
-    if !gears.is_empty() && (figure.shown_panels().contains(&Sheet::Forces)) {
-        return Err(Wrong::key(&["figure", "panels"], says::no_force_plan_of_wheels()).hint(says::take_lever()));
-    }
     figure.check().and_then(|()| check_frame(&links, &figure)).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_traced(Movable::of(given_by, &contacts), &names, &sliders, &figure)
         .map_err(|wrong| wrong.inside(&["figure"]))?;

@@ -295,8 +295,6 @@ messages! { "scene":
     teeth_of_belt(most);
     no_forces_of_belts;
     remove_belts_or_loads;
-    no_force_plan_of_wheels;
-    take_lever;
 
     // Contacts.
     two_touch(count);

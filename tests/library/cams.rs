@@ -400,6 +400,57 @@ fn round_profiles_of_two_levers() {
     }
 }
 
+/// A roller on an arm that turns runs around a fixed disc: its place s on the arm keeps to |s u − d| = R + r, with d from the axis to the disc's centre.
+/// And a disc on a connecting rod slides on a fixed face: its centre goes along a line, as a slider does.
+#[test]
+fn profiles_of_the_frame() {
+    for seed in 0..COUNT {
+        let dice = &mut Random(seed);
+        let (disc, roller) = (from(40.0, dice) / 2.0, from(10.0, dice) / 5.0);
+        let center = [from(-50.0, dice) / 5.0, from(-50.0, dice) / 5.0];
+        let (angle, omega, alpha) = (3.6 * from(0.0, dice), from(-50.0, dice), from(-50.0, dice));
+        let theta = Jet([angle.to_radians(), omega, alpha]);
+        let unit = [theta.cos(), theta.sin()];
+        let along = Jet::constant(center[0]) * unit[0] + Jet::constant(center[1]) * unit[1];
+        let length = disc + roller;
+        let rest = Jet::constant(length * length - center[0] * center[0] - center[1] * center[1]);
+        let place = along + (along * along + rest).sqrt();
+        let scene = json!({ "kinegon": 1, "units": units(), "ground": { "A": [0, 0], "K": center },
+            "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 90 }, "drive": { "angle": angle, "omega": omega, "alpha": alpha } },
+                       "3": ["C"] },
+            "sliders": [ { "link": "3", "at": "C", "on": "1", "along": "AB" } ],
+            "contacts": [ { "links": ["ground", "3"], "centers": ["K", "C"], "radii": [disc, roller], "roller": true, "circular": true } ],
+            "near": { "C": [place.0[0] * unit[0].0[0], place.0[0] * unit[1].0[0]] } });
+        let s = solution(&scene);
+        let size = 100.0 * (omega.abs() + 1.0);
+        near(number(&s, "position(3/1)"), place.0[0], disc, &scene);
+        near(number(&s, "v_r(3/1)"), place.0[1], size, &scene);
+        near(number(&s, "a_r(3/1)"), place.0[2], size * (omega.abs() + alpha.abs() + 1.0), &scene);
+        // The roller rolls: where it touches the frame it rests.
+        let (c, at) = (contact(&s, "ground/3"), s.pose.point(s.mechanism.point("C").expect("C")));
+        let (touch, spin, velocity) =
+            (c.position.expect("radii"), c.roller_omega.expect("a roller"), vector(&s, "v(C)"));
+        near(velocity[0] - spin * (touch[1] - at.y), 0.0, size, &scene);
+        near(velocity[1] + spin * (touch[0] - at.x), 0.0, size, &scene);
+        let rod = from(100.0, dice);
+        let scene = json!({ "kinegon": 1, "units": units(), "ground": { "A": [0, 0] },
+            "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 30 }, "drive": { "angle": angle, "omega": omega, "alpha": alpha } },
+                       "2": { "points": ["B", "K"], "lengths": { "BK": rod } } },
+            "contacts": [ { "links": ["2", "ground"], "centers": ["K"], "radii": [disc], "along": 180, "through": [0, -30], "circular": true } ],
+            "near": { "K": [rod, disc - 30.0] } });
+        let s = solution(&scene);
+        let down = Jet::constant(30.0) * theta.sin() - Jet::constant(disc - 30.0);
+        let across = Jet::constant(30.0) * theta.cos() + (Jet::constant(rod * rod) - down * down).sqrt();
+        let [x, v, _] = across.0;
+        near(s.pose.point(s.mechanism.point("K").expect("K")).x, x, rod, &scene);
+        near(vector(&s, "v(K)")[0], v, size, &scene);
+        // The lowest point of the disc, and how it slides along −x turned from the normal, which points down: along +x.
+        let c = contact(&s, "2/ground");
+        near(c.position.expect("a radius")[1], -30.0, 10.0, &scene);
+        near(c.sliding.expect("it slides"), v + number(&s, "omega(2)") * disc, size, &scene);
+    }
+}
+
 /// The same position as drawn, with its radii and without, moves as from lengths.
 #[test]
 fn drawn_profiles_move_as_those_from_lengths() {
@@ -672,6 +723,30 @@ fn geneva_wheels_are_engaged_while_the_pin_is_in_the_slot() {
         assert!(mover.move_to(&[0.9 * away.to_degrees()]).is_some());
         assert!(mover.move_to(&[away.to_degrees() + 5.0]).is_none());
         assert!((mover.drives()[0] - 0.9 * away.to_degrees()).abs() < 1e-12);
+    }
+}
+
+/// The bottom of a slot that is just deep enough lets the pin pass; one that is not, by however narrow a part of the turn, does not.
+#[test]
+fn slots_are_as_deep_as_they_are_said_to_be() {
+    let ends = |bottom: f64| {
+        let scene = json!({ "kinegon": 1, "units": units(), "ground": { "A": [0, 0], "D": [100, 0] },
+            "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 70.7 }, "drive": { "angle": 20, "omega": 10 } }, "3": ["D"] },
+            "sliders": [ { "pin": "B", "on": "3", "travel": [bottom, 70] } ], "near": { "angle(3)": 145 } });
+        let s = solution(&scene);
+        let mut path =
+            Path::new(&s.mechanism, &s.pose, Drive::new(&s.mechanism, None).expect("a drive")).expect("in the slot");
+        path.cover(None, None).expect("from end to end");
+        path.engagement().expect("both ends are those of the slot")
+    };
+    let away = |t: f64| libm::acos((70.7 * 70.7 + 1e4 - t * t) / (2.0 * 70.7 * 100.0)).to_degrees();
+    for bottom in [20.0, 29.3] {
+        let [low, high] = ends(bottom);
+        assert!((high - away(70.0)).abs() < 1e-9 && (low + high).abs() < 1e-9, "{bottom}: {low} {high}");
+    }
+    for bottom in [29.301, 29.4, 30.0] {
+        let [low, high] = ends(bottom);
+        assert!((high - away(70.0)).abs() < 1e-9 && (low - away(bottom)).abs() < 1e-9, "{bottom}: {low} {high}");
     }
 }
 

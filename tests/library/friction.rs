@@ -36,19 +36,19 @@ fn is_about(found: f64, expected: f64, what: &str) {
 #[test]
 fn a_guide_resists_with_its_coefficient_times_its_force() {
     for angle in [30.0_f64, 75.0, 120.0, 200.0, 290.0] {
-        let (sine, cosine) = angle.to_radians().sin_cos();
-        let beta = (60.0 * sine / 180.0).asin();
-        let omega_2 = -60.0 * 10.0 * cosine / (180.0 * beta.cos());
-        let speed = -600.0 * sine - 180.0 * -beta.sin() * omega_2;
+        let (sine, cosine) = libm::sincos(angle.to_radians());
+        let beta = libm::asin(60.0 * sine / 180.0);
+        let omega_2 = -60.0 * 10.0 * cosine / (180.0 * libm::cos(beta));
+        let speed = -600.0 * sine - 180.0 * -libm::sin(beta) * omega_2;
         // What the slider needs along its guide is more than 1000 N where it moves against the force, else less.
         let sense = speed.signum();
         // X + 1000·(−sense) − sense·μ|N| = 0 with the force against the motion, |N| = X |tan β|.
-        let push = 1000.0 / (1.0 - 0.2 * beta.tan().abs());
+        let push = 1000.0 / (1.0 - 0.2 * libm::tan(beta).abs());
         let scene = slider_crank(angle, -1000.0 * sense, &json!([{ "guide": "3/ground", "coefficient": 0.2 }]));
         is_about(quantity(&scene, "R(C,3).x"), sense * push, "R(C,3).x");
-        is_about(quantity(&scene, "F_f(3/ground)"), -sense * 0.2 * push * beta.tan().abs(), "the friction");
+        is_about(quantity(&scene, "F_f(3/ground)"), -sense * 0.2 * push * libm::tan(beta).abs(), "the friction");
         // An angle says the same.
-        let degrees = 0.2_f64.atan().to_degrees();
+        let degrees = libm::atan(0.2).to_degrees();
         let by_angle = slider_crank(angle, -1000.0 * sense, &json!([{ "guide": "3/ground", "angle": degrees }]));
         is_about(quantity(&by_angle, "T(1)"), quantity(&scene, "T(1)"), "T(1) by an angle");
     }
@@ -60,12 +60,12 @@ fn a_guide_resists_with_its_coefficient_times_its_force() {
 fn a_rod_carries_its_force_along_the_common_tangent_of_its_circles() {
     let pins = json!([{ "pin": "B", "coefficient": 0.15, "radius": 20 }, { "pin": "C", "angle": 8, "radius": 15 }]);
     let scene = slider_crank(50.0, -1000.0, &pins);
-    let rod = (-60.0 * 50.0_f64.to_radians().sin() / 180.0).asin();
-    let radii = 20.0 * 0.15_f64.atan().sin() + 15.0 * 8.0_f64.to_radians().sin();
+    let rod = libm::asin(-60.0 * libm::sin(50.0_f64.to_radians()) / 180.0);
+    let radii = 20.0 * libm::sin(libm::atan(0.15)) + 15.0 * libm::sin(8.0_f64.to_radians());
     // Links 1 and 2 turn against each other, and the rod turns the same way against the slider: both couples add up.
-    let turned = (radii / 180.0).asin();
+    let turned = libm::asin(radii / 180.0);
     let across = quantity(&scene, "R(B,2).y") / quantity(&scene, "R(B,2).x");
-    is_about(across, (rod + turned).tan(), "the slope of the force");
+    is_about(across, libm::tan(rod + turned), "the slope of the force");
     is_about(quantity(&scene, "R(B,2).x"), 1000.0, "R(B,2).x");
 }
 

@@ -136,6 +136,7 @@ mod students;
 mod studies;
 mod templates;
 mod ties;
+mod toothed;
 
 mod trains;
 mod values;

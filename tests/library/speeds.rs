@@ -55,7 +55,7 @@ fn speeds_of_trains_are_those_of_willis() {
         let rpm = if dice.below(2) == 0 { rpm } else { -rpm };
         let [sun, planet] = teeth;
         let ring = sun + 2 * planet;
-        let time = ["s", "min"][dice.below(2) as usize];
+        let time = ["s", "min"][dice.below(2)];
         let names = ["i(3,1)", "i(1,3)", "i(2,3)", "i(2,1)", "rpm(1)", "rpm(2)", "rpm(3)"];
         let result = result_of(planetary(teeth, rpm, time), &names);
         for (name, above, below) in [

@@ -141,7 +141,8 @@ impl Statics<'_, '_> {
     /// A joint's force from the equations; none for zero.
     fn taken(&mut self, joint: JointId, on: BodyId, force: Pair<Ball>) -> Option<Force> {
         let rounded = force.rounded();
-        if !self.mechanism().joint(joint).holds_places() || self.is_nothing(force) {
+        let own = self.mechanism().joint(joint);
+        if !(own.holds_places() || own.rolls()) || self.is_nothing(force) {
             return None;
         }
         let size = self.writer.take(false, Sheet::Forces, NumberKind::Force, rounded.norm())?;

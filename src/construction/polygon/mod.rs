@@ -3,7 +3,7 @@
 //! `forces/`, with which it is compared; loads are the same in both.
 //!
 //! In reading order: `statics` (forces with their lines of action, arms, moments), `sides` (polygons, side by side), `leg` (the part of an
-//! outer joint's force that one link alone tells), `second`, `third` and `fourth` (groups of these classes), `guides` (couples in guides), `drive`
+//! outer joint's force that one link alone tells), `second`, `third` and `fourth` (groups of these classes), `wheels` (the force between teeth), `guides` (couples in guides), `drive`
 //! (driven links and sliders), `named` (the numbers and names of what is found), `compared`, `told` (captions, symbols).
 //!
 //! # One rule for pins and guides
@@ -27,6 +27,7 @@ mod sides;
 mod statics;
 mod third;
 mod told;
+mod wheels;
 
 use super::constructed::Agreement;
 use super::operation::PlaceId;
@@ -262,6 +263,7 @@ impl Statics<'_, '_> {
             return;
         }
         let found = match group.class {
+            _ if self.has_teeth(group) => self.wheel(group),
             Class::Second => self.second(group),
             Class::Third => self.third(group),
             Class::Fourth => self.fourth(group),

@@ -4,7 +4,7 @@ use super::statics::{Force, Statics};
 use super::{ForceOf, ForcePart, ForceStep, FoundForce, Polygon, Side, SideKind, WholeForce};
 use crate::construction::number::{NumberKind, Product};
 use crate::construction::operation::{Along, MeasuredAs, OperationKind, OperationRole, PlaceId};
-use crate::geometry::Vector;
+use crate::geometry::{Ball, Vector};
 use crate::mechanism::{BodyId, GROUND, JointId};
 use crate::sheet::Sheet;
 
@@ -50,7 +50,7 @@ impl Statics<'_, '_> {
         chain.end = self.writer.lay_off(Sheet::Forces, from, sum, force.along);
         if let Some(exact) = force.exact {
             let places = &mut self.writer.construction.record.exact.places;
-            places[chain.end.0] = places[from.0] + exact;
+            places[chain.end.0] = places[from.0] + exact * Ball::from(force.sign);
         }
         let side = self.add_side(chain.polygon, force.of, [from, chain.end], SideKind::Known);
         self.finish(step, ForceStep::LayOff(chain.polygon, side));

@@ -25,7 +25,7 @@ pub(super) struct Force {
     /// Its size along that direction, times `sign`.
     pub size: NumberId,
     pub sign: f64,
-    /// A load as it is known: the direction of its line is that of a rounded one.
+    /// What is known of it, before `sign`: the direction of its line is that of a rounded one.
     pub exact: Option<Pair<Ball>>,
 }
 
@@ -78,6 +78,8 @@ pub(super) struct Statics<'w, 'a> {
     pub joints: IndexMap<JointId, Option<Force>>,
     /// What guides give their sliding links, about the slider's point.
     pub couples: IndexMap<SliderId, Couple>,
+    /// By mesh: its pitch point on the scheme.
+    pub pitch_places: IndexMap<JointId, PlaceId>,
     /// The largest force, by the equations.
     pub largest: f64,
     /// What of loads is left out as nothing.
@@ -90,9 +92,10 @@ impl<'w, 'a> Statics<'w, 'a> {
         let of_loads = computed.acting.iter().map(|load| load.force.rounded().norm());
         let largest = of_joints.chain(of_loads).fold(0.0, f64::max);
         let loads = vec![Set::default(); writer.mechanism.bodies.len()];
-        let (joints, couples) = (IndexMap::new(), IndexMap::new());
+        let (joints, couples, pitch_places) = (IndexMap::new(), IndexMap::new(), IndexMap::new());
         let plan = ForcePlan::default();
-        let mut statics = Statics { writer, computed, plan, loads, joints, couples, largest, left_out: 0.0 };
+        let mut statics =
+            Statics { writer, computed, plan, loads, joints, couples, pitch_places, largest, left_out: 0.0 };
         statics.take_loads();
         statics
     }
@@ -177,6 +180,9 @@ impl<'w, 'a> Statics<'w, 'a> {
 
     /// The place of a joint on the scheme.
     pub fn place(&mut self, joint: JointId) -> PlaceId {
+        if let Some(place) = self.pitch_place(joint) {
+            return place;
+        }
         self.writer.plot(self.mechanism().joint_point(joint))
     }
 

@@ -31,7 +31,11 @@ impl Teller<'_> {
             ForceOf::Joint { joint, on, part } => {
                 let joint = self.mechanism.joint(joint);
                 let by = joint.bodies.into_iter().find(|body| *body != on).unwrap_or(on);
-                let letter = if joint.slider.is_some() { "N" } else { "R" };
+                let letter = match (joint.rolls(), joint.slider.is_some()) {
+                    (true, _) => "W",
+                    (_, true) => "N",
+                    _ => "R",
+                };
                 let letter = match joint.slider.map(|slider| self.mechanism.slider(slider).drive.is_some()) {
                     Some(true) => "R",
                     _ => letter,
@@ -41,6 +45,8 @@ impl Teller<'_> {
                     ForcePart::Whole => String::new(),
                     // Of a guide nothing else is a force.
                     ForcePart::Normal if letter == "N" => String::new(),
+                    // Across the tangent, as its pressure angle has it.
+                    ForcePart::Normal if letter == "W" => "^{r}".to_owned(),
                     ForcePart::Normal => format!("^{{{}}}", notation.normal),
                     ForcePart::Tangential => format!("^{{{}}}", notation.tangential),
                     ForcePart::AlongGuide => "^{∥}".to_owned(),

@@ -20,7 +20,7 @@ pub(in crate::drawing) fn results(context: &SheetContext<'_>) -> Vec<Result> {
     let mut all = Vec::new();
     for (index, (joint, carried)) in mechanism.joints.iter().zip(&forces.joints).enumerate() {
         let is_nameless = |body: BodyId| mechanism.body(body).is_nameless();
-        if !joint.holds_places() || joint.bodies.into_iter().any(is_nameless) {
+        if !(joint.holds_places() || joint.rolls()) || joint.bodies.into_iter().any(is_nameless) {
             continue;
         }
         let of = ForceOf::Joint { joint: JointId(index), on: joint.bodies[1], part: ForcePart::Whole };

@@ -2,7 +2,7 @@
 //! flat one does. The equivalent link is drawn with the links.
 
 use super::on_paper::SchemeOnPaper;
-use super::sliders::{BLOCK, block_corners};
+use super::sliders::{BLOCK, block_corners, hatch};
 use crate::construction::Solution;
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::clipped_segment;
@@ -23,6 +23,11 @@ const LONG_ARC: f64 = 0.2;
 /// How far a flat face goes on beyond what touches it, in parts of the radius, and in mm.
 const BEYOND: f64 = 0.5;
 const LEAST_FACE: f64 = 7.0;
+
+/// Strokes of a fixed profile's hatching on either side of the contact, their length and the distance of two, in mm.
+const STROKES: i32 = 6;
+const HATCH: f64 = 1.6;
+const APART: f64 = 1.4;
 
 /// How far the normal goes on beyond the centres of curvature, in mm.
 const NORMAL: f64 = 7.0;
@@ -156,6 +161,9 @@ impl SchemeOnPaper<'_> {
         }
         let pen = if profile.body == GROUND { Pen::Ground } else { Pen::Link };
         let number = self.context.number(profile.body);
+        if profile.body == GROUND {
+            self.hatching(canvas, (center, radius), touch, profile.radius < 0.0);
+        }
         let Some(half) = profile.half else {
             // Two half circles: unlike a full circle they leave the inside free for a label.
             for start in [0.0, PI] {
@@ -168,6 +176,20 @@ impl SchemeOnPaper<'_> {
         for side in [half, -half] {
             let rest = Shape::Arc { center, radius, start: middle + side, sweep: side };
             canvas.draw(Pen::Construction, rest);
+        }
+    }
+
+    /// The hatching of a fixed profile beside where the other touches it: inside of a round one, outside of a hollow one.
+    fn hatching(&self, canvas: &mut Canvas<'_>, (center, radius): (Point, f64), touch: Point, is_hollow: bool) {
+        let middle = (touch - center).atan2();
+        let step = (APART / radius).min(ARC / f64::from(STROKES));
+        let inwards = if is_hollow { HATCH } else { -HATCH };
+        for stroke in -STROKES..=STROKES {
+            let at = |part: f64, radius: f64| {
+                let angle = middle + (f64::from(stroke) + part) * step;
+                center + Vec2::new(libm::cos(angle), libm::sin(angle)) * radius
+            };
+            canvas.draw(Pen::Hatch, Shape::Line(at(0.0, radius), at(0.7, radius + inwards)));
         }
     }
 
@@ -188,7 +210,11 @@ impl SchemeOnPaper<'_> {
             .fold((-reach, reach), |(low, high), at| (low.min(at), high.max(at)));
         let pen = if body == GROUND { Pen::Ground } else { Pen::Link };
         let number = self.context.number(body);
-        canvas.draw(pen, Shape::Line(touch + along * low, touch + along * high)).number = number;
+        let ends = [touch + along * low, touch + along * high];
+        canvas.draw(pen, Shape::Line(ends[0], ends[1])).number = number;
+        if body == GROUND {
+            hatch(canvas, ends[0], ends[1], across);
+        }
         if let (None, Some(nearest)) =
             (on_face.clone().next(), offsets.iter().min_by(|a, b| a.dot(across).abs().total_cmp(&b.dot(across).abs())))
         {

@@ -49,7 +49,17 @@ pub enum Guide {
     Drawn(Vector),
 }
 
+/// Distance from the end of a guide, in parts of its length, up to which a slider is still on it.
+const AT_END: f64 = 1e-9;
+
 impl Slider {
+    /// How far beyond an end of its guide it is at a position; `None` on the guide.
+    pub(crate) fn beyond(&self, position: f64) -> Option<f64> {
+        let [low, high] = self.travel?;
+        let off = (low - position).max(position - high);
+        (off > AT_END * (high - low)).then_some(off)
+    }
+
     /// The guide in the frame of its body: the place from which the slider's position counts, and the unit direction.
     /// In a drawn configuration only a given direction is known here; otherwise origin and x axis are returned.
     #[must_use]
@@ -116,12 +126,9 @@ impl Mechanism {
     }
 
     /// The slider that is off its guide farthest where sliders have these positions, and its distance from the guide's end; `None` where all are on
-    /// theirs, as guides without ends always hold them.
+    /// theirs, as guides without ends always hold them. What is off by rounding alone, as at the bottom of a slot, is on its guide.
     pub(crate) fn off_guide(&self, position: impl Fn(SliderId) -> Option<f64>) -> Option<(SliderId, f64)> {
-        let off = |id: SliderId| {
-            let ([low, high], at) = (self.slider(id).travel?, position(id)?);
-            Some((id, (low - at).max(at - high))).filter(|(_, off)| *off > 0.0)
-        };
+        let off = |id: SliderId| Some((id, self.slider(id).beyond(position(id)?)?));
         self.slider_ids().filter_map(off).max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
