@@ -119,3 +119,69 @@ fn random_trains_carry_their_couple_over_the_radius() {
         }
     }
 }
+
+/// A ring outwards, a planet inwards, a pinion off its rack, whichever of both the scene names first: torques by hand from radii, W^r by the pressure
+/// angle, and W^r to the side away from the teeth.
+#[test]
+fn rings_and_driven_racks_push_as_their_teeth_do() {
+    let base = |links: Value, gears: Value, forces: Value| {
+        json!({
+            "kinegon": 1, "units": { "length": "mm", "time": "s", "force": "N" }, "ground": { "A": [0, 0], "D": [40, 10] },
+            "links": links, "gears": gears, "forces": forces,
+        })
+    };
+    let mesh = |on: &str, [a, b]: [&str; 2], [z, y]: [Value; 2], is_turned: bool| {
+        let (wheels, teeth) = if is_turned { ([b, a], [y, z]) } else { ([a, b], [z, y]) };
+        json!({ "mesh": wheels, "teeth": teeth, "on": on, "pressure": 20 })
+    };
+    let slope = libm::tan(20.0_f64.to_radians());
+    let number = |solution: &Solution, name: &str| solution.quantity(name).expect("a value").as_number();
+    let is_about = |found: f64, expected: f64| {
+        assert!((found - expected).abs() <= 1e-9 * expected.abs(), "{found}, not {expected}")
+    };
+    for is_turned in [false, true] {
+        // The arm drives a planet of 20 teeth in a ring of 72, a couple holds the sun of 32: T ω = −M ω_sun, ω_sun/ω_arm = 104/32.
+        let links = json!({
+            "1": { "points": ["A", "B"], "lengths": { "AB": 46 }, "drive": { "angle": 37, "omega": 3 } },
+            "2": { "points": ["B", "Q"], "lengths": { "BQ": 10 } }, "3": { "points": ["A", "S"], "lengths": { "AS": 15 } },
+        });
+        let ring = mesh("1", ["2", "ground"], [json!(20), json!(-72)], is_turned);
+        let sun = mesh("1", ["2", "3"], [json!(20), json!(32)], is_turned);
+        let train = with_plan(base(links, json!([ring, sun]), json!([{ "on": "3", "couple": -700 }])));
+        is_right(&train, "a planetary train");
+        assert_eq!(laid_off(&train), 0);
+        is_about(number(&train, "T(1)"), 700.0 * 104.0 / 32.0);
+
+        // A pinion of 20 teeth in a ring of 60 about D.
+        let links = json!({
+            "1": { "points": ["A", "B"], "lengths": { "AB": 10 }, "drive": { "angle": 20, "omega": 3 } },
+            "2": { "points": ["D", "R"], "lengths": { "DR": 30 } },
+        });
+        let gear = mesh("ground", ["1", "2"], [json!(20), json!(-60)], is_turned);
+        let ring = with_plan(base(links, json!([gear]), json!([{ "on": "2", "couple": -900 }])));
+        is_right(&ring, "a ring");
+        assert_eq!(laid_off(&ring), 0);
+        is_about(number(&ring, "T(1)"), 900.0 * 20.0 / 60.0);
+        // The ring is pushed from D towards the pitch point, which lies beyond A: its bearing holds it back along AD.
+        let bearing = Vector::new(number(&ring, "R(D,2).x"), number(&ring, "R(D,2).y"));
+        let towards = Vector::new(40.0, 10.0).normalize();
+        let distance = libm::hypot(40.0, 10.0);
+        is_about(bearing.dot(&towards), 900.0 / (1.5 * distance) * slope);
+
+        // A rack drives a pinion of 20 mm radius above it, on which a couple acts.
+        let links = json!({ "1": { "points": ["A", "B"], "lengths": { "AB": 15 } }, "2": { "points": ["R"] } });
+        let gear = mesh("ground", ["1", "2"], [json!(20), json!("rack")], is_turned);
+        let mut scene = base(links, json!([gear]), json!([{ "on": "1", "couple": 800 }]));
+        scene["gears"][0]["radius"] = json!(20);
+        scene["sliders"] = json!([{
+            "link": "2", "at": "R", "on": "ground", "through": [0, -25], "along": 0, "drive": { "position": 10, "speed": 5 }
+        }]);
+        scene["near"] = json!({ "R": [10, -25] });
+        let rack = with_plan(scene);
+        is_right(&rack, "a rack");
+        assert_eq!(laid_off(&rack), 0);
+        is_about(number(&rack, "F(2/ground)").abs(), 40.0);
+        // The pinion is pushed up, off its rack.
+        is_about(number(&rack, "R(A,1).y"), -40.0 * slope);
+    }
+}
