@@ -94,7 +94,8 @@ impl<N: Solvable> Forces<N> {
 
     /// The friction that a sliding link receives along its guide, whose direction is `guide`.
     pub(crate) fn friction_along(&self, mechanism: &Mechanism, slider: SliderId, guide: Pair<N>) -> N {
-        self.slider(mechanism, slider).friction.force.dot(guide)
+        // Of a slider at rest it is zero, not the negative one.
+        N::default() + self.slider(mechanism, slider).friction.force.dot(guide)
     }
 
     /// The load of a kind on a body.

@@ -1,6 +1,7 @@
 use super::drives::{link_angle_for_drive, places_from_drives, role};
 use super::group::group;
 use super::joint::{add_given, add_pins, held_here_alone, refresh_contacts, unlike_wheels};
+use super::loaded::check_loads;
 use super::says;
 use super::shape::{Side, local_points};
 use super::structure::{Edge, Structure, structure};
@@ -10,8 +11,7 @@ use super::{
 };
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::message::Message;
-use crate::scene::{Along, Gauge, GivenBy, Link, RubbingJoint, Scene, Shape};
-use crate::text::shown;
+use crate::scene::{Along, GivenBy, Link, Scene, Shape};
 use indexmap::{IndexMap, IndexSet};
 use std::cell::LazyCell;
 use std::f64::consts::{PI, TAU};
@@ -46,12 +46,11 @@ pub fn mechanism_with(
     add(&mut mechanism);
     mechanism.warnings.extend(unlike_wheels(&mechanism));
     mechanism.warnings.extend(held_here_alone(&mechanism));
-    check_gauges(scene, &mechanism)?;
     let given_angle = link_angle_for_drive(scene)?;
     let unpinned = given_angle.map(|_| mechanism.clone());
     mechanism.join_driven();
     add_pins(&mut mechanism);
-    check_friction(scene, &mechanism)?;
+    check_loads(scene, &mechanism)?;
     mechanism.groups = groups(scene, &mechanism)?;
     if let (Some((link, angle)), Some(unpinned)) = (given_angle, unpinned) {
         mechanism.placing = Some(Box::new(placing(scene, unpinned, link, angle)?));
@@ -97,53 +96,6 @@ pub(crate) fn renumber(mechanism: &mut Mechanism, scene: &Scene) -> Option<()> {
     }
     refresh_contacts(scene, mechanism);
     Some(())
-}
-
-/// Whether there are the sliders over whose positions loads change.
-fn check_gauges(scene: &Scene, mechanism: &Mechanism) -> Result<(), StructureError> {
-    let loads = scene.loads.iter().flat_map(|loads| &loads.loads).enumerate();
-    let gauges = loads.filter_map(|(index, load)| Some((index, &load.over.as_ref()?.of)));
-    for (index, gauge) in gauges {
-        let Gauge::Position(name) = gauge else { continue };
-        let message = match mechanism.slider_named(name) {
-            None => says::over_no_slider(shown(name)),
-            Some(id) if scene.given_by == GivenBy::Drawing && mechanism.slider(id).counted_from.is_none() => {
-                says::over_no_zero(name)
-            }
-            Some(_) => continue,
-        };
-        let path = ["forces", &index.to_string(), "over", "of"];
-        return Err(scene.error_at(&path, message, None).into());
-    }
-    Ok(())
-}
-
-/// Whether there are the joints that have friction.
-fn check_friction(scene: &Scene, mechanism: &Mechanism) -> Result<(), StructureError> {
-    let all = scene.loads.iter().flat_map(|loads| &loads.friction).enumerate();
-    for (index, friction) in all {
-        let (key, message, hint) = match &friction.joint {
-            RubbingJoint::Guide(name) if mechanism.slider_named(name).is_none() => {
-                let names: Vec<String> = mechanism.slider_ids().map(|id| mechanism.slider_name(id)).collect();
-                let hint = (!names.is_empty()).then(|| says::the_sliders_are(names.join(", ")));
-                ("guide", says::friction_no_slider(shown(name)), hint)
-            }
-            RubbingJoint::Guide(name)
-                if mechanism.slider_named(name).is_some_and(|id| mechanism.slider(id).is_contact) =>
-            {
-                ("guide", says::friction_of_contact(shown(name)), Some(says::no_friction_of_contact()))
-            }
-            RubbingJoint::Pin { point, .. } if mechanism.is_center_of_contact(point) => {
-                ("pin", says::friction_of_contact(point), Some(says::no_friction_of_contact()))
-            }
-            RubbingJoint::Pin { point, .. } if mechanism.joints_at_pin(point).next().is_none() => {
-                ("pin", says::friction_no_joint(point), None)
-            }
-            _ => continue,
-        };
-        return Err(scene.error_at(&["friction", &index.to_string(), key], message, hint).into());
-    }
-    Ok(())
 }
 
 /// The Assur groups of the links of unknown motion, in an order in which they can be solved.

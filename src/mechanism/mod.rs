@@ -15,6 +15,7 @@ mod compound;
 mod drives;
 mod group;
 mod joint;
+mod loaded;
 mod loops;
 #[doc(hidden)] // for tests
 pub mod says;
