@@ -102,6 +102,9 @@ impl Bench<'_> {
                 .or_else(|| self.misreading(entry, *read))
                 .or_else(|| of(entry))
                 .or_else(|| self.between_others(entry)),
+            Entry::Measure(measure) if self.missing_where_measured(measure).is_some() => {
+                self.missing_where_measured(measure)
+            }
             Entry::Measure(_) => slip().or_else(|| of(entry)).or_else(|| self.between_others(entry)),
             Entry::Compute(Compute { compute, by: None, value: Some(value), .. }) => {
                 self.mistyped(compute, *value).or_else(slip).or_else(|| of(entry))

@@ -241,17 +241,22 @@ pub(super) fn needed(given: &Given, did: &[Entry], table: &Table<'_>) -> Vec<boo
             Some((made, reads))
         })
         .collect();
+    let is_of_polygons = !given.polygons.is_empty();
     let mut open = Vec::new();
     let mut needed = vec![false; did.len()];
     for (index, step) in made.iter().enumerate().rev() {
         let Some((made, reads)) = step else { continue };
         let is_wanted = match made {
             Made::Place(sheet, name, _) => {
-                *sheet != Sheet::Centers
+                !(matches!(sheet, Sheet::Centers | Sheet::Forces) || is_of_polygons && *sheet == Sheet::Scheme)
                     || LinkPair::named(name, given.mechanism()).is_some_and(|pair| is_asked(given, pair))
             }
-            Made::Line(_, line) => line.sheet != Sheet::Centers,
-            Made::Numbers(all) => all.iter().any(|(name, _)| !is_distance(name)),
+            Made::Line(_, line) => {
+                !(matches!(line.sheet, Sheet::Centers | Sheet::Forces) || is_of_polygons && line.sheet == Sheet::Scheme)
+            }
+            Made::Numbers(all) => {
+                all.iter().any(|(name, _)| !is_distance(name) && (!is_of_polygons || given.number(name).is_some()))
+            }
         };
         let things = super::table::things(made);
         let is_there = match made {

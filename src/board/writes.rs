@@ -2,10 +2,13 @@
 
 use super::given::Given;
 use crate::construction::{
-    Along, Construction, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole, PlaceId,
-    Product, Reference,
+    Along, Construction, LineId, LoadShown, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole,
+    PlaceId, Product, Reference,
 };
+use crate::forces::Source;
+use crate::geometry::{Vector, unit};
 use crate::mechanism::Mechanism;
+use crate::quantity::LoadOf;
 use crate::sheet::{PerSheet, Scales, Sheet};
 use indexmap::{IndexMap, IndexSet};
 use serde_json::{Map, Value as Json, json};
@@ -45,18 +48,27 @@ struct Writer<'g> {
     /// Names of numbers that have been given.
     named: IndexSet<String>,
     did: Vec<Json>,
+    /// How many points and measured numbers have names of their own.
     own: usize,
+    measured: usize,
 }
 
 impl<'g> Writer<'g> {
     fn new(given: &'g Given) -> Writer<'g> {
         let construction = given.construction();
         let mut places = IndexMap::new();
+        let of_load = |role: &OperationRole| match role {
+            OperationRole::Load(load) => given.load_places.get(*load).cloned(),
+            _ => None,
+        };
         for (sheet, name, place) in construction.named_places() {
             places.entry(place).or_insert((sheet, name.to_owned()));
         }
         let mut crossed = IndexSet::new();
         for operation in &construction.operations {
+            if let (Some(place), Some(name)) = (operation.kind.place(), of_load(&operation.role)) {
+                places.entry(place).or_insert((Sheet::Scheme, name));
+            }
             if let OperationKind::Cross { lines, .. } = operation.kind {
                 crossed.extend(lines);
             }
@@ -72,6 +84,7 @@ impl<'g> Writer<'g> {
             named: IndexSet::new(),
             did: Vec::new(),
             own: 0,
+            measured: 0,
         }
     }
 
@@ -195,11 +208,40 @@ impl<'g> Writer<'g> {
                 json!({ "turned": [reference(from), reference(to)], "base": reference(base) })
             }
             Reference::Given(direction) => {
+                if let Some(load) = self.load_along(*direction) {
+                    let along = if turns.is_multiple_of(2) { "parallel" } else { "normal" };
+                    return (json!({ along: load }), sign);
+                }
                 let degrees = crate::geometry::degrees_of(*direction) + 90.0 * f64::from(turns % 2);
                 json!({ "angle": degrees })
             }
         };
         (json, sign)
+    }
+
+    /// The name of a load whose force has a direction.
+    fn load_along(&self, direction: Vector) -> Option<String> {
+        let plan = self.construction.forces.as_deref()?;
+        let is_it = |force: &Vector| unit(*force).is_some_and(|along| (along - direction).norm() <= 1e-12);
+        let load = plan.loads.iter().find(|load| is_it(&load.force))?;
+        Some(self.load_name(load))
+    }
+
+    /// The name of a load's force.
+    fn load_name(&self, load: &LoadShown) -> String {
+        format!("load({})", LoadOf { source: load.source, body: load.body }.name(self.mechanism))
+    }
+
+    /// How a load's size, or the couple of a link's inertia, is written; a couple that somebody has stated is its number.
+    fn load_number(&self, number: NumberId) -> Option<String> {
+        let plan = self.construction.forces.as_deref()?;
+        let index = plan.numbers.loads.iter().position(|own| own.contains(&Some(number)))?;
+        let load = plan.loads.get(index)?;
+        if plan.numbers.loads[index][0] == Some(number) {
+            return Some(self.load_name(load));
+        }
+        let is_inertia = load.source == Source::Inertia;
+        is_inertia.then(|| format!("M_i({})", self.mechanism.body(load.body).name))
     }
 
     fn measure(&mut self, sheet: Sheet, number: NumberId, ends: [PlaceId; 2], how: MeasuredAs, in_step: bool) {
@@ -209,7 +251,11 @@ impl<'g> Writer<'g> {
         {
             return;
         }
-        let name = self.construction.number_name(self.mechanism, number);
+        let mut name = self.construction.number_name(self.mechanism, number);
+        if name.is_empty() {
+            self.measured += 1;
+            name = format!("m{}", self.measured);
+        }
         if in_step && self.named.insert(name.clone()) {
             let [from, to] = ends.map(|end| self.place(sheet, end));
             self.did.push(json!({ "measure": name, "on": sheet.as_str(), "from": from, "to": to }));
@@ -221,7 +267,8 @@ impl<'g> Writer<'g> {
 
     fn take(&mut self, number: NumberId, value: f64) {
         let name = self.construction.number_name(self.mechanism, number);
-        let written = if name.is_empty() { written(value) } else { name };
+        let of_load = || self.load_number(number);
+        let written = if name.is_empty() { of_load().unwrap_or_else(|| written(value)) } else { name };
         self.numbers.insert(number, written);
     }
 

@@ -347,6 +347,7 @@ impl Finder<'_> {
             | Head::FrictionCouple
             | Head::CenterAcceleration
             | Head::LoadMoment
+            | Head::Load
             | Head::Power
             | Head::Shaking
             | Head::ShakingMoment => {

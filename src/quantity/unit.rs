@@ -257,6 +257,7 @@ impl QuantityRequest {
                     }
                     ForceOf::CenterAcceleration(id) => plain("a", format!("cm{}", link(*id))),
                     ForceOf::LoadMoment(of, about) => plain("M", format!("{},{}", load(of), shown(about.name()))),
+                    ForceOf::Load(of) => Symbol { after: load(of), ..plain("", String::new()) },
                     ForceOf::Power(of) => plain("P", load(of)),
                     ForceOf::Shaking => plain("F", "s".to_owned()),
                     ForceOf::ShakingMoment(about) => plain("M", format!("s,{}", shown(about.name()))),

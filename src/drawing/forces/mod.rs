@@ -11,7 +11,7 @@ use super::sheet::Pen;
 use super::text::RichText;
 use super::view::{Extent, View, towards};
 use crate::construction::{
-    Action, ForceOf, ForcePart, ForcePlan, ForceStep, NOTHING, Polygon, Side, SideKind, display,
+    Action, ForceOf, ForcePart, ForcePlan, ForceStep, NOTHING, Polygon, Side, SideKind, display, plain_text,
 };
 use crate::geometry;
 use crate::mechanism::{BodyId, Mechanism};
@@ -43,6 +43,21 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     panel.sides(canvas);
     panel.corners(canvas);
     canvas.step = 0;
+}
+
+/// Draws the points in which polygons begin, each with the links that are cut free, for a hand that draws the rest.
+pub(super) fn draw_starts(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
+    let Some(plan) = context.construction().forces.as_deref() else { return };
+    canvas.step = 0;
+    for (index, polygon) in plan.polygons.iter().enumerate() {
+        let name = format!("o{}", index + 1);
+        let Some(corner) = plan.corner(&name) else { continue };
+        let (center, radius) = (view.at(corner.at.into()), 2.0 * context.surface.dims.dot);
+        canvas.draw_named(&format!("point-{name}"), Pen::Pole, Shape::Circle { center, radius });
+        let links = plain_text(&context.teller().links_in_words(&polygon.links));
+        let label = RichText::math(&format!("{}: {links}", display(&name)));
+        canvas.ask(&format!("{name}-"), LabelRequest::new(label, center, radius + 0.7, None, 2));
+    }
 }
 
 /// The steps with which things appear.

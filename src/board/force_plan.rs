@@ -1,0 +1,411 @@
+//! The force plan: a vector must be one of the forces that its polygon still lacks, a line the direction of one, a crossing must close the
+//! polygon. Any order of the forces is right, and a chain may be drawn from its start backwards, too.
+
+use super::alone::SAME;
+use super::bench::{Bench, Found};
+use super::file::{Cross, Entry, LayOff, Line, Measure};
+use super::judge::{Verdict, Wrong};
+use super::polygons::{Forces, GivenPolygon, MOST_FORCES};
+use super::says;
+use super::table::{Made, Table, things};
+use crate::check::{Blank, Told, tell};
+use crate::construction::{ForceOf, ForcePart, LoadShown, Teller, plain_text};
+use crate::geometry::{Vector, cross, unit};
+use crate::quantity::QuantityRequest;
+use crate::sheet::Sheet;
+
+/// A corner of a polygon, by the forces between its start and it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Corner {
+    pub polygon: usize,
+    pub forces: Forces,
+    /// Whether it was reached from the start against the forces.
+    pub is_back: bool,
+}
+
+/// A line that is to be the direction of a force.
+#[derive(Clone, Debug)]
+pub(super) struct ForceLine {
+    pub through: Corner,
+    /// The forces that have this direction.
+    pub along: Forces,
+}
+
+/// What an entry on the sheet of forces comes to.
+pub(super) struct OnPlan {
+    pub found: Found,
+    mistake: Option<Told>,
+    /// Where it ends if it is put right.
+    corner: Option<Corner>,
+    line: Option<ForceLine>,
+}
+
+impl OnPlan {
+    fn right(corner: Corner) -> OnPlan {
+        OnPlan { found: Found::Right, mistake: None, corner: Some(corner), line: None }
+    }
+
+    pub fn verdict(&self, follows: bool) -> Verdict {
+        match &self.found {
+            Found::Wrong(what) => Verdict::Wrong(Wrong { what: what.clone(), mistake: self.mistake.clone() }),
+            _ if follows => Verdict::Follows,
+            _ => Verdict::Right,
+        }
+    }
+}
+
+/// Most sums of forces that are tried for a vector.
+const MOST_SUMS: usize = 8;
+
+impl<'j> Bench<'j> {
+    /// What an entry on the sheet of forces comes to; `None` of any other, and of what begins in no polygon.
+    pub(super) fn on_force_plan(&self, entry: &Entry, made: &Made, is_typed: bool) -> Option<OnPlan> {
+        match (entry, made) {
+            (Entry::LayOff(laid), Made::Place(Sheet::Forces, name, _)) => {
+                self.force_laid_off(entry, laid, name, made, is_typed)
+            }
+            (Entry::Line(line), Made::Line(name, drawn)) if drawn.sheet == Sheet::Forces => {
+                self.force_direction(line, name, is_typed)
+            }
+            (Entry::Cross(cross), Made::Place(Sheet::Forces, ..)) => self.force_crossing(cross),
+            _ => None,
+        }
+    }
+
+    fn polygon(&self, index: usize) -> Option<&GivenPolygon> {
+        self.judge.given().polygons.get(index).filter(|polygon| polygon.forces.len() <= MOST_FORCES)
+    }
+
+    /// The same polygon in another scene, if it has the same forces there.
+    fn polygon_in<'t>(&self, table: &'t Table<'_>, index: usize) -> Option<&'t GivenPolygon> {
+        let own = self.polygon(index)?;
+        table.given.polygons.get(index).filter(|other| own.is_like(other))
+    }
+
+    fn force_laid_off(&self, entry: &Entry, laid: &LayOff, name: &str, made: &Made, is_typed: bool) -> Option<OnPlan> {
+        let from = *self.corners.get(&laid.from)?;
+        let polygon = self.polygon(from.polygon)?;
+        let all = polygon.all();
+        let forward = |sum: Forces| Corner { forces: normal(from.forces | sum, all), ..from };
+        let back = |sum: Forces| Corner {
+            forces: (if from.forces == 0 { all } else { from.forces }) & !sum,
+            is_back: true,
+            ..from
+        };
+        if !from.is_back
+            && let Some(sum) = self.as_sum(entry, from, all & !from.forces, 1.0, is_typed)
+        {
+            return Some(self.near_by_hand(entry, made, OnPlan::right(forward(sum))));
+        }
+        let may_go_back = from.is_back || from.forces == 0 && self.may_go_back(&laid.from, name);
+        let behind = if from.forces == 0 { all } else { from.forces };
+        if may_go_back && let Some(sum) = self.as_sum(entry, from, behind, -1.0, is_typed) {
+            return Some(self.near_by_hand(entry, made, OnPlan::right(back(sum))));
+        }
+        let meant = self.meant_force(laid, from, polygon, entry);
+        let twice = self.as_sum(entry, from, from.forces, 1.0, is_typed).filter(|_| !from.is_back);
+        let (mistake, corner) = match (twice, meant) {
+            (Some(sum), _) => (self.first_symbol(polygon, sum).map(tell::force_twice), from),
+            (None, Some(meant)) => (self.wrong_vector(entry, made, is_typed), forward(1 << meant)),
+            (None, None) => (None, from),
+        };
+        let what = says::no_force_of_polygon(name);
+        Some(OnPlan { found: Found::Wrong(what), mistake, corner: Some(corner), line: None })
+    }
+
+    /// A right vector as the hand drew it, if that is near enough.
+    fn near_by_hand(&self, entry: &Entry, made: &Made, right: OnPlan) -> OnPlan {
+        let Made::Place(sheet, _, own) = made else { return right };
+        match self.place_off_hand(entry, *sheet, *own) {
+            Some(off) => OnPlan { found: Found::Wrong(off), ..right },
+            None => right,
+        }
+    }
+
+    /// The forces among some whose sum, times a sign, the vector of an entry is in all scenes.
+    fn as_sum(&self, entry: &Entry, from: Corner, among: Forces, sign: f64, is_typed: bool) -> Option<Forces> {
+        let Entry::LayOff(LayOff { from: start, .. }) = entry else { return None };
+        let vector = |table: &Table<'_>, made: &Made| match made {
+            Made::Place(_, _, at) => table.place(Sheet::Forces, start).map(|start| (at - start) * sign),
+            _ => None,
+        };
+        let allowed = |table: &Table<'_>, vector: Vector| {
+            let exact = SAME * table.given.polygons.get(from.polygon).map_or(0.0, GivenPolygon::size);
+            if is_typed { exact + self.typed_reach(Sheet::Forces, vector.norm()) } else { exact }
+        };
+        let is_it = |sum: Forces, table: &Table<'_>, made: &Made| {
+            let Some(polygon) = self.polygon_in(table, from.polygon) else { return true };
+            vector(table, made).is_some_and(|vector| (vector - polygon.sum(sum)).norm() <= allowed(table, vector))
+        };
+        let table = &self.right[0];
+        let alone: Vec<Made> = table.carried_out_again(entry).into_iter().collect();
+        let recognised = || self.made_with_right_numbers(entry, false);
+        let all = if is_typed { [alone.clone(), recognised()].concat() } else { alone };
+        for (index, made) in all.iter().enumerate() {
+            let mut sums: Vec<Forces> = subsets(among).filter(|sum| is_it(*sum, table, made)).collect();
+            sums.sort_by_key(|sum| (sum.count_ones(), *sum));
+            sums.truncate(MOST_SUMS);
+            let holds =
+                |sum: &Forces| index > 0 || self.in_all(entry, is_typed, |table, made| is_it(*sum, table, made));
+            if let Some(sum) = sums.into_iter().find(holds) {
+                return Some(sum);
+            }
+        }
+        None
+    }
+
+    /// Whether a vector from the start may run against its force: nothing goes on from its end but directions, or another chain begins at
+    /// the start, too.
+    fn may_go_back(&self, start: &str, end: &str) -> bool {
+        let laid_from = |point: &str| self.laid_off_from.get(point).copied().unwrap_or(0);
+        laid_from(end) == 0 || laid_from(start) > 1
+    }
+
+    /// The force that a wrong vector is probably meant to be, by its index: the one that its size names, else the nearest that is missing.
+    fn meant_force(&self, laid: &LayOff, from: Corner, polygon: &GivenPolygon, entry: &Entry) -> Option<usize> {
+        let missing = polygon.all() & !from.forces;
+        let named = |name: &str| {
+            let asked = QuantityRequest::new(name, self.judge.given().mechanism()).ok()?;
+            let own = polygon.named(&asked, self.judge.given().mechanism(), self.loads()) & missing;
+            (own.count_ones() == 1).then(|| own.trailing_zeros() as usize)
+        };
+        let by_name = laid.size.names().into_iter().find_map(named);
+        by_name.or_else(|| {
+            let table = &self.right[0];
+            let Ok(Made::Place(_, _, at)) = table.carried_out_again(entry) else { return None };
+            let vector = at - table.place(Sheet::Forces, &laid.from)?;
+            let off = |own: Vector| (vector - own).norm().min((vector + own).norm()) / own.norm();
+            let mut all: Vec<(usize, f64)> =
+                polygon.among(missing).map(|(index, force)| (index, off(force.vector))).collect();
+            all.sort_by(|a, b| a.1.total_cmp(&b.1));
+            all.first().map(|(index, _)| *index)
+        })
+    }
+
+    fn wrong_vector(&self, entry: &Entry, made: &Made, is_typed: bool) -> Option<Told> {
+        let of = |typed: Option<&Made>| self.causes.of(entry, made, &self.right, typed).map(|cause| cause.told);
+        if !is_typed {
+            return of(None);
+        }
+        let alone = self.right[0].carried_out_again(entry).ok();
+        let typed = alone.into_iter().chain(self.made_with_right_numbers(entry, true));
+        typed.into_iter().find_map(|typed| of(Some(&typed)))
+    }
+
+    fn force_direction(&self, line: &Line, name: &str, is_typed: bool) -> Option<OnPlan> {
+        let meant = self.meant(line);
+        let begins = |one: &Entry| match one {
+            Entry::Line(Line { through: Some(through), .. }) => self.corners.get(through).copied(),
+            _ => None,
+        };
+        let known = meant.iter().filter_map(|one| Some((one, begins(one)?)));
+        let mut known: Vec<(&Entry, Corner, Forces)> =
+            known.map(|(one, corner)| (one, corner, self.parallel(one, corner, is_typed))).collect();
+        // A direction that is missing is meant rather than one that is there.
+        known.sort_by_key(|(_, corner, along)| (*along == 0, self.still_missing(*corner, *along) == 0));
+        let (one, through, along) = known.into_iter().next()?;
+        let own = ForceLine { through, along };
+        if !self.targets.contains_key(name) {
+            return Some(OnPlan { found: Found::Own, mistake: None, corner: None, line: Some(own) });
+        }
+        if along == 0 {
+            let mistake = self.wrong_direction(one, through, is_typed);
+            let found = Found::Wrong(says::no_direction_of_force(name));
+            return Some(OnPlan { found, mistake, corner: None, line: Some(own) });
+        }
+        let found = self.line_off_hand(one, line).map_or(Found::Right, Found::Wrong);
+        Some(OnPlan { found, mistake: None, corner: None, line: Some(own) })
+    }
+
+    /// Of forces those that do not lie between the start and a corner.
+    fn still_missing(&self, corner: Corner, forces: Forces) -> Forces {
+        let is_found = self.polygon(corner.polygon).map_or(0, |polygon| {
+            let found = polygon.forces.iter().enumerate().filter(|(_, force)| force.is_found);
+            found.fold(0, |all, (index, _)| all | 1 << index)
+        });
+        forces & is_found
+    }
+
+    /// The sine and the cosine of the angle between a line and a force, in a scene.
+    fn angle(&self, table: &Table<'_>, line: &Entry, (polygon, force): (usize, usize)) -> Option<[f64; 2]> {
+        let own = unit(self.polygon_in(table, polygon)?.forces.get(force)?.vector)?;
+        match table.carry_out(line).ok()? {
+            Made::Line(_, line) => Some([cross(line.along, own).abs(), line.along.dot(&own).abs()]),
+            _ => None,
+        }
+    }
+
+    /// How far a sine may be from nothing.
+    fn sine(&self, is_typed: bool) -> f64 {
+        if is_typed { libm::sin((6.0 * self.judge.tolerance().degrees).to_radians()) } else { SAME }
+    }
+
+    /// The forces of a polygon that a line is parallel to in all scenes.
+    fn parallel(&self, line: &Entry, through: Corner, is_typed: bool) -> Forces {
+        let Some(polygon) = self.polygon(through.polygon) else { return 0 };
+        let is_along = |index: usize| {
+            let small = self.sine(is_typed);
+            self.scenes(is_typed)
+                .all(|table| self.angle(table, line, (through.polygon, index)).is_none_or(|[sine, _]| sine <= small))
+                && self.angle(&self.right[0], line, (through.polygon, index)).is_some()
+        };
+        (0..polygon.forces.len()).filter(|index| is_along(*index)).fold(0, |all, index| all | 1 << index)
+    }
+
+    /// A direction across the one that it should be.
+    fn wrong_direction(&self, line: &Entry, through: Corner, is_typed: bool) -> Option<Told> {
+        let polygon = self.polygon(through.polygon)?;
+        let given = self.judge.given();
+        let across = polygon.forces.iter().enumerate().find(|(index, force)| {
+            let angle = self.angle(&self.right[0], line, (through.polygon, *index));
+            force.is_found && angle.is_some_and(|[_, cosine]| cosine <= self.sine(is_typed))
+        });
+        let (_, force) = across?;
+        let ForceOf::Joint { joint, part, .. } = force.of else { return None };
+        let symbol = self.force_symbol(force.of);
+        match given.mechanism().joint(joint).slider {
+            Some(slider) if part != ForcePart::AlongGuide => {
+                let guide = given.mechanism().slider_in_words(slider, &given.solution.wording());
+                Some(tell::guide_reaction_along_rod(symbol, Blank::Guide(guide)))
+            }
+            None if part == ForcePart::Normal => Some(tell::normal_across(symbol)),
+            _ => None,
+        }
+    }
+
+    fn force_crossing(&self, Cross { of, cross: name, .. }: &Cross) -> Option<OnPlan> {
+        let [one, two] = [self.force_lines.get(&of[0])?, self.force_lines.get(&of[1])?];
+        if one.through.polygon != two.through.polygon {
+            return None;
+        }
+        let polygon = self.polygon(one.through.polygon)?;
+        let all = polygon.all();
+        let each = |own: &ForceLine| {
+            // Of a wrong line any of the forces that are to be found may be meant.
+            let wrong = polygon.forces.iter().enumerate().filter(|(_, force)| force.is_found);
+            if own.along == 0 { wrong.fold(0, |all, (index, _)| all | 1 << index) } else { own.along }
+        };
+        let is_wrong = of.iter().any(|line| self.wrong_lines.contains(line));
+        // Of the ways to close the polygon the one that lacks least.
+        let mut best: Option<(u32, Forces, Corner)> = None;
+        for [from, to] in [[one, two], [two, one]] {
+            let end = if to.through.forces == 0 { all } else { to.through.forces };
+            for first in bits(each(from)).filter(|first| from.through.forces & first == 0) {
+                let corner = Corner { forces: from.through.forces | first, ..from.through };
+                for last in bits(each(to)).filter(|last| corner.forces & last == 0 && end & last != 0) {
+                    let there = corner.forces | last;
+                    if there & !end != 0 {
+                        continue;
+                    }
+                    let missing = end & !there;
+                    // Put right it ends where the last force begins.
+                    let right = Corner { forces: end & !last, is_back: false, ..corner };
+                    if best.is_none_or(|(count, ..)| missing.count_ones() < count) {
+                        best = Some((missing.count_ones(), missing, right));
+                    }
+                }
+            }
+        }
+        Some(match best {
+            Some((0, _, corner)) => OnPlan::right(corner),
+            Some((_, _, corner)) if is_wrong => OnPlan::right(corner),
+            None if is_wrong => OnPlan { found: Found::Right, mistake: None, corner: None, line: None },
+            Some((_, missing, corner)) => {
+                let mistake = self.missing(polygon, missing);
+                let found = Found::Wrong(says::polygon_not_closed(name));
+                OnPlan { found, mistake, corner: Some(corner), line: None }
+            }
+            None => {
+                let found = Found::Wrong(says::polygon_not_closed(name));
+                OnPlan { found, mistake: None, corner: None, line: None }
+            }
+        })
+    }
+
+    /// One force that a polygon lacks.
+    fn missing(&self, polygon: &GivenPolygon, missing: Forces) -> Option<Told> {
+        (missing.count_ones() == 1)
+            .then(|| self.first_symbol(polygon, missing).map(tell::force_missing_in_polygon))
+            .flatten()
+    }
+
+    /// A force that the polygon lacks whose last side is measured.
+    pub(super) fn missing_where_measured(&self, Measure { measure, from, to, .. }: &Measure) -> Option<Told> {
+        let [from, to] = [from, to].map(|end| self.corners.get(end).copied());
+        let (from, to) = (from?, to?);
+        let polygon = self.polygon(from.polygon).filter(|_| from.polygon == to.polygon)?;
+        let given = self.judge.given();
+        let asked = QuantityRequest::new(measure, given.mechanism()).ok()?;
+        let named = polygon.named(&asked, given.mechanism(), self.loads());
+        let between = |from: Corner, to: Corner| {
+            let end = if to.forces & from.forces == from.forces && to.forces != 0 { to.forces } else { polygon.all() };
+            end & !from.forces
+        };
+        let ways = [between(from, to), between(to, from)];
+        let way = ways.into_iter().find(|way| named != 0 && way & named == named)?;
+        self.missing(polygon, way & !named)
+    }
+
+    /// Puts the right things down in all scenes.
+    pub(super) fn put_force(&mut self, entry: &Entry, made: &Made, plan: OnPlan) {
+        let name = things(made).into_iter().next().map_or_else(String::new, |(_, name)| name);
+        let polygons: Vec<Option<Vector>> = self
+            .right
+            .iter()
+            .map(|table| {
+                let corner = plan.corner?;
+                let polygon = self.polygon_in(table, corner.polygon)?;
+                Some(table.place(Sheet::Forces, &polygon.start)? + polygon.sum(corner.forces))
+            })
+            .collect();
+        let meant = self.right_meaning(entry);
+        let entry = meant.as_ref().unwrap_or(entry);
+        for (table, place) in self.right.iter_mut().zip(polygons) {
+            let right = match (place, made) {
+                (Some(at), Made::Place(sheet, name, _)) => Made::Place(*sheet, name.clone(), at),
+                _ => table.carry_out(entry).unwrap_or_else(|_| made.clone()),
+            };
+            table.put(right);
+        }
+        if let Some(corner) = plan.corner {
+            self.corners.insert(name.clone(), corner);
+        }
+        if let Some(line) = plan.line {
+            self.force_lines.insert(name, line);
+        }
+    }
+
+    fn loads(&self) -> &[LoadShown] {
+        self.judge.given().construction().forces.as_deref().map_or(&[], |plan| &plan.loads)
+    }
+
+    fn first_symbol(&self, polygon: &GivenPolygon, forces: Forces) -> Option<Blank> {
+        polygon.among(forces).next().map(|(_, force)| self.force_symbol(force.of))
+    }
+
+    fn force_symbol(&self, of: ForceOf) -> Blank {
+        let solution = &self.judge.given().solution;
+        let words = solution.wording();
+        Blank::Words(plain_text(&Teller::new(solution, &words).force_symbol(of)))
+    }
+}
+
+/// All forces are none: they lead back to the start.
+fn normal(forces: Forces, all: Forces) -> Forces {
+    if forces == all { 0 } else { forces }
+}
+
+/// The single forces among some.
+fn bits(forces: Forces) -> impl Iterator<Item = Forces> {
+    (0..Forces::BITS).map(|index| 1 << index).filter(move |bit| forces & bit != 0)
+}
+
+/// All choices of one or more forces among some.
+fn subsets(among: Forces) -> impl Iterator<Item = Forces> {
+    let mut next = among;
+    std::iter::from_fn(move || {
+        let current = next;
+        next = current.wrapping_sub(1) & among;
+        (current != 0).then_some(current)
+    })
+}

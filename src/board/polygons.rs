@@ -1,0 +1,144 @@
+//! What the scene gives to force polygons: of each where it begins and which forces close it, and the places at which loads act.
+//!
+//! The corners of a polygon have no names of their own on the board: whichever force a hand lays off first, the polygon closes. So a
+//! corner is known by the forces that lie between it and the start.
+
+use crate::construction::{Construction, ForceOf, ForcePart, LoadShown, SideKind, Solution};
+use crate::forces::Source;
+use crate::geometry::{Point, Vector, unit};
+use crate::mechanism::Mechanism;
+use crate::quantity::{ForceOf as Asked, LinePart, QuantityRequest, What};
+use crate::sheet::Sheet;
+
+/// Forces of a polygon, as bits by their indices.
+pub(super) type Forces = u32;
+
+/// Most forces of a polygon that is judged: of so many all sums are looked at.
+pub(super) const MOST_FORCES: usize = 16;
+
+/// A polygon.
+#[derive(Clone, Debug)]
+pub(super) struct GivenPolygon {
+    /// The name of its start.
+    pub start: String,
+    /// The forces that add up to nothing.
+    pub forces: Vec<GivenForce>,
+}
+
+/// A force of a polygon.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct GivenForce {
+    pub of: ForceOf,
+    pub vector: Vector,
+    /// Whether its direction alone is known before.
+    pub is_found: bool,
+}
+
+impl GivenPolygon {
+    /// All its forces.
+    pub fn all(&self) -> Forces {
+        (1 << self.forces.len()) - 1
+    }
+
+    /// The forces among some.
+    pub fn among(&self, forces: Forces) -> impl Iterator<Item = (usize, &GivenForce)> {
+        self.forces.iter().enumerate().filter(move |(index, _)| forces >> index & 1 == 1)
+    }
+
+    /// The sum of some of them.
+    pub fn sum(&self, forces: Forces) -> Vector {
+        self.among(forces).map(|(_, force)| force.vector).sum()
+    }
+
+    /// The largest of them.
+    pub fn size(&self) -> f64 {
+        self.forces.iter().map(|force| force.vector.norm()).fold(0.0, f64::max)
+    }
+
+    /// Whether another one is made of the same forces.
+    pub fn is_like(&self, other: &GivenPolygon) -> bool {
+        self.forces.len() == other.forces.len() && self.forces.iter().zip(&other.forces).all(|(a, b)| a.of == b.of)
+    }
+
+    /// The forces that a quantity is: a load, what a joint does to a link, or a part of that.
+    pub fn named(&self, asked: &QuantityRequest, mechanism: &Mechanism, loads: &[LoadShown]) -> Forces {
+        let What::Force(named, _) = &asked.what else { return 0 };
+        let is_it = |force: &GivenForce| match (force.of, named) {
+            (ForceOf::Load(index), Asked::Load(load)) => {
+                loads.get(index).is_some_and(|own| own.source == load.source && own.body == load.body)
+            }
+            (ForceOf::Load(index), Asked::InertiaForce(body)) => {
+                loads.get(index).is_some_and(|own| own.source == Source::Inertia && own.body == *body)
+            }
+            (ForceOf::Joint { joint, .. }, Asked::Reaction(pin, body)) => {
+                let joint = mechanism.joint(joint);
+                joint.pin == Some(*pin) && joint.bodies.contains(body)
+            }
+            (ForceOf::Joint { joint, part, .. }, Asked::ReactionPart(line, pin, body, _)) => {
+                let joint = mechanism.joint(joint);
+                let is_part = match line {
+                    LinePart::Along => matches!(part, ForcePart::Normal | ForcePart::AcrossGuide),
+                    LinePart::Across => matches!(part, ForcePart::Tangential | ForcePart::AlongGuide),
+                };
+                joint.pin == Some(*pin) && joint.bodies.contains(body) && is_part
+            }
+            (ForceOf::Joint { joint, part, .. }, Asked::Normal(slider)) => {
+                mechanism.joint(joint).slider == Some(*slider) && part != ForcePart::AlongGuide
+            }
+            _ => false,
+        };
+        let own = self.forces.iter().enumerate().filter(|(_, force)| is_it(force));
+        own.fold(0, |all, (index, _)| all | 1 << index)
+    }
+}
+
+/// The polygons of a solution in whose figure a hand draws force polygons.
+pub(super) fn polygons(solution: &Solution) -> Vec<GivenPolygon> {
+    let construction = &solution.construction;
+    let drawn = construction.forces.as_deref().filter(|_| construction.by_hand.contains(&Sheet::Forces));
+    let of_sides = |polygon: &crate::construction::Polygon| {
+        let sides = polygon.sides.iter().filter(|side| side.kind != SideKind::Diagonal);
+        sides
+            .map(|side| GivenForce { of: side.of, vector: side.vector, is_found: side.kind == SideKind::Found })
+            .collect()
+    };
+    let polygons = drawn.into_iter().flat_map(|plan| plan.polygons.iter().enumerate());
+    polygons.map(|(index, own)| GivenPolygon { start: format!("o{}", index + 1), forces: of_sides(own) }).collect()
+}
+
+/// By load: the name of the place at which its force acts, and whether that place is none of the mechanism's points: the centre of a link's mass is `G2`, the
+/// place of a force of its own has the force's name.
+pub(super) fn load_places(
+    construction: &Construction,
+    mechanism: &Mechanism,
+    places: &[Point],
+) -> Vec<(String, Point, bool)> {
+    let Some(plan) = construction.forces.as_deref() else { return Vec::new() };
+    let size = crate::geometry::span(places.iter().copied());
+    let named = plan.loads.iter().map(|load| {
+        let near = |at: &Point| (at - load.at).norm() <= 1e-9 * size;
+        if let Some(point) = places.iter().position(near) {
+            return (mechanism.points[point].clone(), load.at, false);
+        }
+        let mut name = match load.source {
+            Source::Weight | Source::Inertia => format!("G{}", mechanism.body(load.body).name),
+            source => source.name(mechanism, load.body),
+        };
+        while mechanism.point(&name).is_some() {
+            name.push('\'');
+        }
+        (name, load.at, true)
+    });
+    named.collect()
+}
+
+/// The direction of a load's force, by the name of the quantity.
+pub(super) fn direction_of_load(construction: &Construction, asked: &QuantityRequest) -> Option<Vector> {
+    let (What::Force(named, _), Some(plan)) = (&asked.what, construction.forces.as_deref()) else { return None };
+    let is_it = |load: &&LoadShown| match named {
+        Asked::Load(own) => own.source == load.source && own.body == load.body,
+        Asked::InertiaForce(body) => load.source == Source::Inertia && load.body == *body,
+        _ => false,
+    };
+    plan.loads.iter().find(is_it).and_then(|load| unit(load.force))
+}
