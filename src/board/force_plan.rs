@@ -54,6 +54,9 @@ impl OnPlan {
     }
 }
 
+/// A force below this part of the largest of its polygon is none.
+const NOTHING: f64 = 1e-9;
+
 /// Most sums of forces that are tried for a vector.
 const MOST_SUMS: usize = 8;
 
@@ -228,7 +231,12 @@ impl<'j> Bench<'j> {
 
     /// The sine and the cosine of the angle between a line and a force, in a scene.
     fn angle(&self, table: &Table<'_>, line: &Entry, (polygon, force): (usize, usize)) -> Option<[f64; 2]> {
-        let own = unit(self.polygon_in(table, polygon)?.forces.get(force)?.vector)?;
+        let polygon = self.polygon_in(table, polygon)?;
+        let own = polygon.forces.get(force)?;
+        let is_nothing = own.vector.norm() <= NOTHING * polygon.size();
+        // What is nothing has the direction of its guide; that of a pin has any.
+        let own = if is_nothing { own.along } else { unit(own.vector) };
+        let Some(own) = own else { return is_nothing.then_some([0.0, 1.0]) };
         match table.carry_out(line).ok()? {
             Made::Line(_, line) => Some([cross(line.along, own).abs(), line.along.dot(&own).abs()]),
             _ => None,

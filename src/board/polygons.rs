@@ -3,9 +3,9 @@
 //! The corners of a polygon have no names of their own on the board: whichever force a hand lays off first, the polygon closes. So a
 //! corner is known by the forces that lie between it and the start.
 
-use crate::construction::{Construction, ForceOf, ForcePart, LoadShown, SideKind, Solution};
+use crate::construction::{Construction, ForceOf, ForcePart, LoadShown, Polygon, Side, SideKind, Solution};
 use crate::forces::Source;
-use crate::geometry::{Point, Vector, unit};
+use crate::geometry::{Point, Vector, quarter_turn, unit};
 use crate::mechanism::Mechanism;
 use crate::quantity::{ForceOf as Asked, LinePart, QuantityRequest, What};
 use crate::sheet::Sheet;
@@ -32,6 +32,8 @@ pub(super) struct GivenForce {
     pub vector: Vector,
     /// Whether its direction alone is known before.
     pub is_found: bool,
+    /// The direction in which a guide carries it, also where it is nothing.
+    pub along: Option<Vector>,
 }
 
 impl GivenPolygon {
@@ -82,6 +84,9 @@ impl GivenPolygon {
                 };
                 joint.pin == Some(*pin) && joint.bodies.contains(body) && is_part
             }
+            (ForceOf::Joint { joint, part, .. }, Asked::Push(slider)) => {
+                mechanism.joint(joint).slider == Some(*slider) && part == ForcePart::AlongGuide
+            }
             (ForceOf::Joint { joint, part, .. }, Asked::Normal(slider)) => {
                 mechanism.joint(joint).slider == Some(*slider) && part != ForcePart::AlongGuide
             }
@@ -96,14 +101,31 @@ impl GivenPolygon {
 pub(super) fn polygons(solution: &Solution) -> Vec<GivenPolygon> {
     let construction = &solution.construction;
     let drawn = construction.forces.as_deref().filter(|_| construction.by_hand.contains(&Sheet::Forces));
-    let of_sides = |polygon: &crate::construction::Polygon| {
+    let of_sides = |polygon: &Polygon| {
         let sides = polygon.sides.iter().filter(|side| side.kind != SideKind::Diagonal);
-        sides
-            .map(|side| GivenForce { of: side.of, vector: side.vector, is_found: side.kind == SideKind::Found })
-            .collect()
+        sides.flat_map(|side| of_side(solution, side)).collect()
     };
     let polygons = drawn.into_iter().flat_map(|plan| plan.polygons.iter().enumerate());
     polygons.map(|(index, own)| GivenPolygon { start: format!("o{}", index + 1), forces: of_sides(own) }).collect()
+}
+
+/// The forces of a side: what a driven slider carries has two parts, that of its drive along the guide and that across.
+fn of_side(solution: &Solution, side: &Side) -> Vec<GivenForce> {
+    let Solution { mechanism, pose, .. } = solution;
+    let is_found = side.kind == SideKind::Found;
+    let one = |of, vector, along| GivenForce { of, vector, is_found, along };
+    let ForceOf::Joint { joint, on, part } = side.of else { return vec![one(side.of, side.vector, None)] };
+    let Some(slider) = mechanism.joint(joint).slider else { return vec![one(side.of, side.vector, None)] };
+    let guide = pose.guide(slider);
+    if mechanism.slider(slider).drive.is_some() && part == ForcePart::Whole {
+        let parts = [(ForcePart::AcrossGuide, quarter_turn(guide)), (ForcePart::AlongGuide, guide)];
+        let of = |(part, along): (ForcePart, Vector)| {
+            one(ForceOf::Joint { joint, on, part }, along * along.dot(&side.vector), Some(along))
+        };
+        return parts.map(of).to_vec();
+    }
+    let along = if part == ForcePart::AlongGuide { guide } else { quarter_turn(guide) };
+    vec![one(side.of, side.vector, Some(along))]
 }
 
 /// By load: the name of the place at which its force acts, and whether that place is none of the mechanism's points: the centre of a link's mass is `G2`, the

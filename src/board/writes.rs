@@ -1,5 +1,6 @@
 //! Kinegon's own construction as a drawing: for demonstrations, and as the key of an exercise.
 
+use super::bench::is_size_of_force;
 use super::given::Given;
 use crate::construction::{
     Along, Construction, LineId, LoadShown, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole,
@@ -34,6 +35,7 @@ pub fn own_drawing(given: &Given, scales: &Scales) -> String {
 }
 
 struct Writer<'g> {
+    given: &'g Given,
     construction: &'g Construction,
     mechanism: &'g Mechanism,
     values: crate::construction::Values,
@@ -45,8 +47,8 @@ struct Writer<'g> {
     crossed: IndexSet<LineId>,
     /// By number: how a formula writes it.
     numbers: IndexMap<NumberId, String>,
-    /// Names of numbers that have been given.
-    named: IndexSet<String>,
+    /// Names of numbers that have been given, with the values that the drawing has of them.
+    named: IndexMap<String, f64>,
     did: Vec<Json>,
     /// How many points and measured numbers have names of their own.
     own: usize,
@@ -81,7 +83,8 @@ impl<'g> Writer<'g> {
             lines: IndexMap::new(),
             crossed,
             numbers: IndexMap::new(),
-            named: IndexSet::new(),
+            named: IndexMap::new(),
+            given,
             did: Vec::new(),
             own: 0,
             measured: 0,
@@ -150,7 +153,10 @@ impl<'g> Writer<'g> {
                     })
                     .collect();
                 self.did.push(json!({ "solve": names, "equations": equations }));
-                unknowns.iter().zip(&names).for_each(|(number, name)| drop(self.numbers.insert(*number, name.clone())));
+                for (number, name) in unknowns.iter().zip(&names) {
+                    self.numbers.insert(*number, name.clone());
+                    self.named.insert(name.clone(), self.values.number(*number));
+                }
             }
         }
     }
@@ -256,13 +262,41 @@ impl<'g> Writer<'g> {
             self.measured += 1;
             name = format!("m{}", self.measured);
         }
-        if in_step && self.named.insert(name.clone()) {
-            let [from, to] = ends.map(|end| self.place(sheet, end));
+        let value = self.values.number(number);
+        // The force in a joint is needed even where a side of the polygon is all of it, which no step joins.
+        let is_force = self.construction.numbers[number.0] == NumberKind::Force;
+        if (in_step || is_force) && !self.named.contains_key(&name) {
+            let ends = match how {
+                MeasuredAs::Along(line) if sheet == Sheet::Forces => self.along(line, ends, value),
+                _ => ends.map(|end| self.place(sheet, end)),
+            };
+            // A distance has no sign; one along a line has.
+            self.named.insert(name.clone(), value.abs());
+            let [from, to] = ends;
             self.did.push(json!({ "measure": name, "on": sheet.as_str(), "from": from, "to": to }));
         }
-        // A distance has no sign; one along a line has.
-        let written = if self.values.number(number) < 0.0 { format!("(-{name})") } else { name };
+        let is_turned = self.named.get(&name).map_or(value < 0.0, |known| known.is_sign_negative() != (value < 0.0));
+        let written = if is_turned { format!("(-{name})") } else { name };
         self.numbers.insert(number, written);
+    }
+
+    /// The ends of the part of a force along a line, which is drawn with the part across where the force has both.
+    fn along(&mut self, line: LineId, ends: [PlaceId; 2], value: f64) -> [String; 2] {
+        let force = self.values.place(ends[1]) - self.values.place(ends[0]);
+        let [from, to] = ends.map(|end| self.place(Sheet::Forces, end));
+        if (force.norm() - value.abs()).abs() <= 1e-9 * force.norm() {
+            return [from, to];
+        }
+        let reference = self.lines.get(&line).map_or_else(String::new, |(reference, _)| reference.clone());
+        self.own += 1;
+        let corner = format!("h{}", self.own);
+        let drawn = [(&from, "normal", "across"), (&to, "parallel", "along")].map(|(through, how, word)| {
+            let name = format!("{word}{}", self.own);
+            self.did.push(json!({ "line": name, "on": "forces", "through": through, "along": { how: reference } }));
+            name
+        });
+        self.did.push(json!({ "cross": corner, "of": drawn }));
+        [corner, to]
     }
 
     fn take(&mut self, number: NumberId, value: f64) {
@@ -278,8 +312,12 @@ impl<'g> Writer<'g> {
         if name.is_empty() {
             self.numbers.insert(number, formula);
         } else {
+            // A couple that a guide gives the link that carries it is that on the slider, reversed.
+            let value = self.values.number(number);
+            let is_turned = !is_size_of_force(&name) && self.given.number(&name).is_some_and(|own| own * value < 0.0);
+            let formula = if is_turned { negative(&formula) } else { formula };
             self.did.push(json!({ "compute": name, "as": formula }));
-            self.numbers.insert(number, name);
+            self.numbers.insert(number, if is_turned { format!("(-{name})") } else { name });
         }
     }
 
