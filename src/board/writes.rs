@@ -310,7 +310,9 @@ impl<'g> Writer<'g> {
         let formula = self.sum(sum);
         let name = self.construction.number_name(self.mechanism, number);
         if name.is_empty() {
-            self.numbers.insert(number, formula);
+            // Other sums take a moment away.
+            let is_moment = self.construction.numbers[number.0] == NumberKind::Moment;
+            self.numbers.insert(number, if is_moment && sum.len() > 1 { format!("({formula})") } else { formula });
         } else {
             // A couple that a guide gives the link that carries it is that on the slider, reversed.
             let value = self.values.number(number);
