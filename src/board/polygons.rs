@@ -3,10 +3,10 @@
 //! The corners of a polygon have no names of their own on the board: whichever force a hand lays off first, the polygon closes. So a
 //! corner is known by the forces that lie between it and the start.
 
-use crate::construction::{Construction, ForceOf, ForcePart, LoadShown, Polygon, Side, SideKind, Solution};
+use crate::construction::{Construction, ForceOf, ForcePart, ForcePlan, LoadShown, Polygon, Side, SideKind, Solution};
 use crate::forces::Source;
 use crate::geometry::{Point, Vector, quarter_turn, unit};
-use crate::mechanism::Mechanism;
+use crate::mechanism::{BodyId, JointId, Mechanism};
 use crate::quantity::{ForceOf as Asked, LinePart, QuantityRequest, What};
 use crate::sheet::Sheet;
 
@@ -103,19 +103,24 @@ pub(super) fn polygons(solution: &Solution) -> Vec<GivenPolygon> {
     let drawn = construction.forces.as_deref().filter(|_| construction.by_hand.contains(&Sheet::Forces));
     let of_sides = |polygon: &Polygon| {
         let sides = polygon.sides.iter().filter(|side| side.kind != SideKind::Diagonal);
-        sides.flat_map(|side| of_side(solution, side)).collect()
+        sides.flat_map(|side| drawn.map_or_else(Vec::new, |plan| of_side(solution, plan, side))).collect()
     };
     let polygons = drawn.into_iter().flat_map(|plan| plan.polygons.iter().enumerate());
     polygons.map(|(index, own)| GivenPolygon { start: format!("o{}", index + 1), forces: of_sides(own) }).collect()
 }
 
 /// The forces of a side: what a driven slider carries has two parts, that of its drive along the guide and that across.
-fn of_side(solution: &Solution, side: &Side) -> Vec<GivenForce> {
+fn of_side(solution: &Solution, plan: &ForcePlan, side: &Side) -> Vec<GivenForce> {
     let Solution { mechanism, pose, .. } = solution;
     let is_found = side.kind == SideKind::Found;
     let one = |of, vector, along| GivenForce { of, vector, is_found, along };
     let ForceOf::Joint { joint, on, part } = side.of else { return vec![one(side.of, side.vector, None)] };
-    let Some(slider) = mechanism.joint(joint).slider else { return vec![one(side.of, side.vector, None)] };
+    let Some(slider) = mechanism.joint(joint).slider else {
+        let parts = parts_of(plan, side, joint, on);
+        let parts = parts.into_iter().map(|(part, vector)| one(ForceOf::Joint { joint, on, part }, vector, None));
+        let parts: Vec<GivenForce> = parts.collect();
+        return if parts.is_empty() { vec![one(side.of, side.vector, None)] } else { parts };
+    };
     let guide = pose.guide(slider);
     if mechanism.slider(slider).drive.is_some() && part == ForcePart::Whole {
         let parts = [(ForcePart::AcrossGuide, quarter_turn(guide)), (ForcePart::AlongGuide, guide)];
@@ -126,6 +131,24 @@ fn of_side(solution: &Solution, side: &Side) -> Vec<GivenForce> {
     }
     let along = if part == ForcePart::AlongGuide { guide } else { quarter_turn(guide) };
     vec![one(side.of, side.vector, Some(along))]
+}
+
+/// The parts in which the whole force of a pin has been found in another polygon, as they act on this side's body: a hand may lay them off
+/// one by one. None of what was found as a whole.
+fn parts_of(plan: &ForcePlan, whole: &Side, joint: JointId, on: BodyId) -> Vec<(ForcePart, Vector)> {
+    if !matches!(whole.of, ForceOf::Joint { part: ForcePart::Whole, .. }) || whole.kind != SideKind::Known {
+        return Vec::new();
+    }
+    let mut found: Vec<(ForcePart, Vector)> = Vec::new();
+    for side in plan.polygons.iter().flat_map(|polygon| &polygon.sides) {
+        let ForceOf::Joint { joint: own, on: receives, part } = side.of else { continue };
+        if own == joint && part != ForcePart::Whole && found.iter().all(|(known, _)| *known != part) {
+            found.push((part, if receives == on { side.vector } else { -side.vector }));
+        }
+    }
+    let sum: Vector = found.iter().map(|(_, vector)| vector).sum();
+    let are_all = found.len() == 2 && (sum - whole.vector).norm() <= 1e-9 * whole.vector.norm();
+    if are_all { found } else { Vec::new() }
 }
 
 /// By load: the name of the place at which its force acts, and whether that place is none of the mechanism's points: the centre of a link's mass is `G2`, the
