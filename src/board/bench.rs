@@ -40,8 +40,6 @@ pub(super) struct Bench<'j> {
     pub corners: BTreeMap<String, Corner>,
     /// Directions of forces, by the names of their lines.
     pub force_lines: BTreeMap<String, ForceLine>,
-    /// By point: how many vectors begin there.
-    pub laid_off_from: BTreeMap<String, usize>,
     /// Things that hang on something wrong.
     pub tainted: BTreeSet<Thing>,
     /// The entries that have been judged.
@@ -78,19 +76,12 @@ impl<'j> Bench<'j> {
                 of.iter().for_each(|line| targets.entry(line.clone()).or_default().push(cross.clone()));
             }
         }
-        let mut laid_off_from: BTreeMap<String, usize> = BTreeMap::new();
-        for (_, entry) in standing(drawing) {
-            if let Entry::LayOff(LayOff { from, .. }) = entry {
-                *laid_off_from.entry(from.clone()).or_default() += 1;
-            }
-        }
         let starts = judge.given().polygons.iter().enumerate();
         let corners = starts.map(|(polygon, own)| (own.start.clone(), Corner { polygon, forces: 0, is_back: false }));
         Bench {
             judge,
             corners: corners.collect(),
             force_lines: BTreeMap::new(),
-            laid_off_from,
             own: Table::new(judge.given(), scales),
             right: all.map(|given| Table::new(given, scales)).collect(),
             targets,
@@ -121,7 +112,13 @@ impl<'j> Bench<'j> {
             if let Some(plan) = self.on_plan(entry, &made, is_typed, &reads) {
                 let things = things(&made);
                 let is_unused = matches!(plan.found, Found::Own) && !things.iter().any(|thing| used.contains(thing));
-                let follows = reads.iter().any(|read| self.tainted.contains(read));
+                let mut follows = reads.iter().any(|read| self.tainted.contains(read));
+                if let (Some(_), Entry::LayOff(laid)) = (plan.reversed, entry)
+                    && let Some((earlier, wrong)) = self.reversed(&laid.from)
+                {
+                    verdicts[earlier] = Verdict::Wrong(wrong);
+                    follows = true;
+                }
                 verdicts[index] = if is_unused { Verdict::Unused } else { plan.verdict(follows) };
                 if let (Verdict::Wrong(_), Made::Line(name, _)) = (&verdicts[index], &made) {
                     self.wrong_lines.insert(name.clone());

@@ -38,11 +38,13 @@ pub(super) struct OnPlan {
     /// Where it ends if it is put right.
     corner: Option<Corner>,
     line: Option<ForceLine>,
+    /// The force that was laid off reversed before it, and where its end is with its sense right.
+    pub reversed: Option<(Forces, Corner)>,
 }
 
 impl OnPlan {
     fn right(corner: Corner) -> OnPlan {
-        OnPlan { found: Found::Right, mistake: None, corner: Some(corner), line: None }
+        OnPlan { found: Found::Right, mistake: None, corner: Some(corner), line: None, reversed: None }
     }
 
     pub fn verdict(&self, follows: bool) -> Verdict {
@@ -100,20 +102,35 @@ impl<'j> Bench<'j> {
         {
             return Some(self.near_by_hand(entry, made, OnPlan::right(forward(sum))));
         }
-        let may_go_back = from.is_back || from.forces == 0 && self.may_go_back(&laid.from, name);
         let behind = if from.forces == 0 { all } else { from.forces };
-        if may_go_back && let Some(sum) = self.as_sum(entry, from, behind, -1.0, is_typed) {
+        if (from.is_back || from.forces == 0)
+            && let Some(sum) = self.as_sum(entry, from, behind, -1.0, is_typed)
+        {
             return Some(self.near_by_hand(entry, made, OnPlan::right(back(sum))));
+        }
+        // A force that goes on where the first one ran back: that one was reversed.
+        if let Some((first, corner)) = self.turned_back(from, polygon)
+            && let Some(sum) = self.as_sum(entry, corner, all & !corner.forces, 1.0, is_typed)
+        {
+            let forces = normal(corner.forces | sum, all);
+            let reversed = Some((first, corner));
+            return Some(OnPlan { reversed, ..OnPlan::right(Corner { forces, ..corner }) });
         }
         let meant = self.meant_force(laid, from, polygon, entry);
         let twice = self.as_sum(entry, from, from.forces, 1.0, is_typed).filter(|_| !from.is_back);
-        let (mistake, corner) = match (twice, meant) {
-            (Some(sum), _) => (self.first_symbol(polygon, sum).map(tell::force_twice), from),
-            (None, Some(meant)) => (self.wrong_vector(entry, made, is_typed), forward(1 << meant)),
-            (None, None) => (None, from),
+        let twice =
+            || twice.and_then(|sum| self.first_symbol(polygon, sum)).map(|symbol| (tell::force_twice(symbol), from));
+        let other = || {
+            let told = self.wrong_vector(entry, made, is_typed)?;
+            Some((told, forward(1 << meant?)))
         };
+        // A number that somebody has typed is like many.
+        let told = if is_typed { other().or_else(twice) } else { twice().or_else(other) };
+        let corner =
+            told.as_ref().map_or_else(|| meant.map_or(from, |meant| forward(1 << meant)), |(_, corner)| *corner);
+        let mistake = told.map(|(told, _)| told);
         let what = says::no_force_of_polygon(name);
-        Some(OnPlan { found: Found::Wrong(what), mistake, corner: Some(corner), line: None })
+        Some(OnPlan { found: Found::Wrong(what), mistake, corner: Some(corner), line: None, reversed: None })
     }
 
     /// A right vector as the hand drew it, if that is near enough.
@@ -140,12 +157,16 @@ impl<'j> Bench<'j> {
             let Some(polygon) = self.polygon_in(table, from.polygon) else { return true };
             vector(table, made).is_some_and(|vector| (vector - polygon.sum(sum)).norm() <= allowed(table, vector))
         };
+        let closing = self.polygon(from.polygon)?.closing();
         let table = &self.right[0];
         let alone: Vec<Made> = table.carried_out_again(entry).into_iter().collect();
         let recognised = || self.made_with_right_numbers(entry, false);
         let all = if is_typed { [alone.clone(), recognised()].concat() } else { alone };
         for (index, made) in all.iter().enumerate() {
-            let mut sums: Vec<Forces> = subsets(among).filter(|sum| is_it(*sum, table, made)).collect();
+            // All that closes a polygon is never laid off: with it, whatever runs against its force would be the sum of all others.
+            let is_laid_off = |sum: &Forces| sum & closing != closing;
+            let sums = subsets(among).filter(is_laid_off).filter(|sum| is_it(*sum, table, made));
+            let mut sums: Vec<Forces> = sums.collect();
             sums.sort_by_key(|sum| (sum.count_ones(), *sum));
             sums.truncate(MOST_SUMS);
             let holds =
@@ -157,11 +178,19 @@ impl<'j> Bench<'j> {
         None
     }
 
-    /// Whether a vector from the start may run against its force: nothing goes on from its end but directions, or another chain begins at
-    /// the start, too.
-    fn may_go_back(&self, start: &str, end: &str) -> bool {
-        let laid_from = |point: &str| self.laid_off_from.get(point).copied().unwrap_or(0);
-        laid_from(end) == 0 || laid_from(start) > 1
+    /// The force that alone lies, against its sense, between the start and a corner; and where the corner is with its sense right.
+    fn turned_back(&self, from: Corner, polygon: &GivenPolygon) -> Option<(Forces, Corner)> {
+        let first = polygon.all() & !from.forces;
+        (from.is_back && first.count_ones() == 1).then_some((first, Corner { forces: first, is_back: false, ..from }))
+    }
+
+    /// What is probably wrong with the vector that ends in a corner, which was reversed.
+    pub(super) fn reversed(&self, point: &str) -> Option<(usize, Wrong)> {
+        let is_it = |entry: &Entry| matches!(entry, Entry::LayOff(laid) if laid.lay_off == point);
+        let (index, entry) = self.done.iter().find(|(_, entry)| is_it(entry))?;
+        let made = self.right[0].carried_out_again(entry).ok()?;
+        let mistake = self.wrong_vector(entry, &made, false).or_else(|| self.wrong_vector(entry, &made, true));
+        Some((*index, Wrong { what: says::no_force_of_polygon(point), mistake }))
     }
 
     /// The force that a wrong vector is probably meant to be, by its index: the one that its size names, else the nearest that is missing.
@@ -205,28 +234,24 @@ impl<'j> Bench<'j> {
         let mut known: Vec<(&Entry, Corner, Forces)> =
             known.map(|(one, corner)| (one, corner, self.parallel(one, corner, is_typed))).collect();
         // A direction that is missing is meant rather than one that is there.
-        known.sort_by_key(|(_, corner, along)| (*along == 0, self.still_missing(*corner, *along) == 0));
+        known.sort_by_key(|(_, corner, along)| (*along == 0, self.closing(*corner, *along) == 0));
         let (one, through, along) = known.into_iter().next()?;
         let own = ForceLine { through, along };
         if !self.targets.contains_key(name) {
-            return Some(OnPlan { found: Found::Own, mistake: None, corner: None, line: Some(own) });
+            return Some(OnPlan { found: Found::Own, mistake: None, corner: None, line: Some(own), reversed: None });
         }
         if along == 0 {
             let mistake = self.wrong_direction(one, through, is_typed);
             let found = Found::Wrong(says::no_direction_of_force(name));
-            return Some(OnPlan { found, mistake, corner: None, line: Some(own) });
+            return Some(OnPlan { found, mistake, corner: None, line: Some(own), reversed: None });
         }
         let found = self.line_off_hand(one, line).map_or(Found::Right, Found::Wrong);
-        Some(OnPlan { found, mistake: None, corner: None, line: Some(own) })
+        Some(OnPlan { found, mistake: None, corner: None, line: Some(own), reversed: None })
     }
 
-    /// Of forces those that do not lie between the start and a corner.
-    fn still_missing(&self, corner: Corner, forces: Forces) -> Forces {
-        let is_found = self.polygon(corner.polygon).map_or(0, |polygon| {
-            let found = polygon.forces.iter().enumerate().filter(|(_, force)| force.is_found);
-            found.fold(0, |all, (index, _)| all | 1 << index)
-        });
-        forces & is_found
+    /// Of forces those that close a polygon.
+    fn closing(&self, corner: Corner, forces: Forces) -> Forces {
+        self.polygon(corner.polygon).map_or(0, |polygon| forces & polygon.closing())
     }
 
     /// The sine and the cosine of the angle between a line and a force, in a scene.
@@ -257,7 +282,11 @@ impl<'j> Bench<'j> {
                 .all(|table| self.angle(table, line, (through.polygon, index)).is_none_or(|[sine, _]| sine <= small))
                 && self.angle(&self.right[0], line, (through.polygon, index)).is_some()
         };
-        (0..polygon.forces.len()).filter(|index| is_along(*index)).fold(0, |all, index| all | 1 << index)
+        let may_be_drawn = |index: &usize| polygon.forces[*index].may_be_found;
+        (0..polygon.forces.len())
+            .filter(may_be_drawn)
+            .filter(|index| is_along(*index))
+            .fold(0, |all, index| all | 1 << index)
     }
 
     /// A direction across the one that it should be.
@@ -266,7 +295,7 @@ impl<'j> Bench<'j> {
         let given = self.judge.given();
         let across = polygon.forces.iter().enumerate().find(|(index, force)| {
             let angle = self.angle(&self.right[0], line, (through.polygon, *index));
-            force.is_found && angle.is_some_and(|[_, cosine]| cosine <= self.sine(is_typed))
+            force.may_be_found && angle.is_some_and(|[_, cosine]| cosine <= self.sine(is_typed))
         });
         let (_, force) = across?;
         let ForceOf::Joint { joint, part, .. } = force.of else { return None };
@@ -276,7 +305,7 @@ impl<'j> Bench<'j> {
                 let guide = given.mechanism().slider_in_words(slider, &given.solution.wording());
                 Some(tell::guide_reaction_along_rod(symbol, Blank::Guide(guide)))
             }
-            None if part == ForcePart::Normal => Some(tell::normal_across(symbol)),
+            None if matches!(part, ForcePart::Normal | ForcePart::Whole) => Some(tell::normal_across(symbol)),
             _ => None,
         }
     }
@@ -290,8 +319,7 @@ impl<'j> Bench<'j> {
         let all = polygon.all();
         let each = |own: &ForceLine| {
             // Of a wrong line any of the forces that are to be found may be meant.
-            let wrong = polygon.forces.iter().enumerate().filter(|(_, force)| force.is_found);
-            if own.along == 0 { wrong.fold(0, |all, (index, _)| all | 1 << index) } else { own.along }
+            if own.along == 0 { polygon.closing() } else { own.along }
         };
         let is_wrong = of.iter().any(|line| self.wrong_lines.contains(line));
         // Of the ways to close the polygon the one that lacks least.
@@ -317,15 +345,15 @@ impl<'j> Bench<'j> {
         Some(match best {
             Some((0, _, corner)) => OnPlan::right(corner),
             Some((_, _, corner)) if is_wrong => OnPlan::right(corner),
-            None if is_wrong => OnPlan { found: Found::Right, mistake: None, corner: None, line: None },
+            None if is_wrong => OnPlan { found: Found::Right, mistake: None, corner: None, line: None, reversed: None },
             Some((_, missing, corner)) => {
                 let mistake = self.missing(polygon, missing);
                 let found = Found::Wrong(says::polygon_not_closed(name));
-                OnPlan { found, mistake, corner: Some(corner), line: None }
+                OnPlan { found, mistake, corner: Some(corner), line: None, reversed: None }
             }
             None => {
                 let found = Found::Wrong(says::polygon_not_closed(name));
-                OnPlan { found, mistake: None, corner: None, line: None }
+                OnPlan { found, mistake: None, corner: None, line: None, reversed: None }
             }
         })
     }
@@ -357,15 +385,15 @@ impl<'j> Bench<'j> {
     /// Puts the right things down in all scenes.
     pub(super) fn put_force(&mut self, entry: &Entry, made: &Made, plan: OnPlan) {
         let name = things(made).into_iter().next().map_or_else(String::new, |(_, name)| name);
-        let polygons: Vec<Option<Vector>> = self
-            .right
-            .iter()
-            .map(|table| {
-                let corner = plan.corner?;
-                let polygon = self.polygon_in(table, corner.polygon)?;
-                Some(table.place(Sheet::Forces, &polygon.start)? + polygon.sum(corner.forces))
-            })
-            .collect();
+        let polygons: Vec<Option<Vector>> = self.right.iter().map(|table| self.place_of(table, plan.corner?)).collect();
+        // Where a force was laid off reversed, right things go on from its right end.
+        if let (Some((_, corner)), Entry::LayOff(LayOff { from, .. })) = (plan.reversed, entry) {
+            self.corners.insert(from.clone(), corner);
+            let ends: Vec<Option<Vector>> = self.right.iter().map(|table| self.place_of(table, corner)).collect();
+            for (table, end) in self.right.iter_mut().zip(ends) {
+                end.into_iter().for_each(|end| table.put(Made::Place(Sheet::Forces, from.clone(), end)));
+            }
+        }
         let meant = self.right_meaning(entry);
         let entry = meant.as_ref().unwrap_or(entry);
         for (table, place) in self.right.iter_mut().zip(polygons) {
@@ -381,6 +409,12 @@ impl<'j> Bench<'j> {
         if let Some(line) = plan.line {
             self.force_lines.insert(name, line);
         }
+    }
+
+    /// Where a corner is in a scene.
+    fn place_of(&self, table: &Table<'_>, corner: Corner) -> Option<Vector> {
+        let polygon = self.polygon_in(table, corner.polygon)?;
+        Some(table.place(Sheet::Forces, &polygon.start)? + polygon.sum(corner.forces))
     }
 
     fn loads(&self) -> &[LoadShown] {

@@ -32,6 +32,9 @@ pub(super) struct GivenForce {
     pub vector: Vector,
     /// Whether its direction alone is known before.
     pub is_found: bool,
+    /// Whether somebody may draw its direction to close the polygon: of the forces that are found here those that another choice of moments
+    /// leaves, too.
+    pub may_be_found: bool,
     /// The direction in which a guide carries it, also where it is nothing.
     pub along: Option<Vector>,
 }
@@ -40,6 +43,12 @@ impl GivenPolygon {
     /// All its forces.
     pub fn all(&self) -> Forces {
         (1 << self.forces.len()) - 1
+    }
+
+    /// The forces that close it.
+    pub fn closing(&self) -> Forces {
+        let found = self.forces.iter().enumerate().filter(|(_, force)| force.is_found);
+        found.fold(0, |all, (index, _)| all | 1 << index)
     }
 
     /// The forces among some.
@@ -101,19 +110,31 @@ impl GivenPolygon {
 pub(super) fn polygons(solution: &Solution) -> Vec<GivenPolygon> {
     let construction = &solution.construction;
     let drawn = construction.forces.as_deref().filter(|_| construction.by_hand.contains(&Sheet::Forces));
-    let of_sides = |polygon: &Polygon| {
+    let of_sides = |index: usize, polygon: &Polygon| {
         let sides = polygon.sides.iter().filter(|side| side.kind != SideKind::Diagonal);
-        sides.flat_map(|side| drawn.map_or_else(Vec::new, |plan| of_side(solution, plan, side))).collect()
+        sides.flat_map(|side| drawn.map_or_else(Vec::new, |plan| of_side(solution, plan, (index, side)))).collect()
     };
     let polygons = drawn.into_iter().flat_map(|plan| plan.polygons.iter().enumerate());
-    polygons.map(|(index, own)| GivenPolygon { start: format!("o{}", index + 1), forces: of_sides(own) }).collect()
+    polygons
+        .map(|(index, own)| GivenPolygon { start: format!("o{}", index + 1), forces: of_sides(index, own) })
+        .collect()
 }
 
 /// The forces of a side: what a driven slider carries has two parts, that of its drive along the guide and that across.
-fn of_side(solution: &Solution, plan: &ForcePlan, side: &Side) -> Vec<GivenForce> {
+fn of_side(solution: &Solution, plan: &ForcePlan, (polygon, side): (usize, &Side)) -> Vec<GivenForce> {
     let Solution { mechanism, pose, .. } = solution;
     let is_found = side.kind == SideKind::Found;
-    let one = |of, vector, along| GivenForce { of, vector, is_found, along };
+    // What an earlier polygon has is handed on from there.
+    let is_new = |own: JointId| {
+        let mut earlier = plan.polygons[..polygon].iter().flat_map(|polygon| &polygon.sides);
+        !earlier.any(|side| matches!(side.of, ForceOf::Joint { joint, part, .. } if joint == own && part != ForcePart::Tangential))
+    };
+    let one = |of, vector, along| {
+        let may_be_found = is_found
+            || matches!(of, ForceOf::Joint { joint, part, .. }
+                if !matches!(part, ForcePart::Tangential | ForcePart::AlongGuide) && is_new(joint));
+        GivenForce { of, vector, is_found, may_be_found, along }
+    };
     let ForceOf::Joint { joint, on, part } = side.of else { return vec![one(side.of, side.vector, None)] };
     let Some(slider) = mechanism.joint(joint).slider else {
         let parts = parts_of(plan, side, joint, on);

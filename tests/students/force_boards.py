@@ -9,6 +9,7 @@ besides. Honest drawings, exact and by pencil, must have no operation called wro
 import json
 import math
 import random
+import re
 import sys
 import tempfile
 from collections import Counter
@@ -18,7 +19,8 @@ from forces import KINDS, Stuck, add, angle, cross, dot, drawable, left, scaled,
 from survey import arguments, check, keep
 
 MISTAKES = {
-    "inertia-along-a": {"inertia-along-a"}, "inertia-couple-along-alpha": {"inertia-couple-along-alpha", "percussion-on-wrong-side"},
+    # In a sum with nothing else it is the same which of both is reversed: the size of a tangential part has no sign.
+    "inertia-along-a": {"inertia-along-a"}, "inertia-couple-along-alpha": {"inertia-couple-along-alpha", "percussion-on-wrong-side", "inertia-along-a"},
     "couple-forgotten": {"couple-forgotten"}, "arm-to-point": {"arm-to-point"}, "arm-in-paper-mm": {"arm-in-paper-mm"},
     "a-of-joint-for-centre": {"a-of-joint-for-centre"}, "mass-for-weight": {"mass-for-weight"}, "factor-of-thousand": {"mass-for-weight"},
     "reaction-not-reversed": {"reaction-not-reversed"}, "negative-tangential-kept": {"negative-tangential-kept"},
@@ -36,6 +38,70 @@ class Force:
         self.text, self.value, self.along, self.kind = text, value, along, kind
 
 
+class Paper:
+    """What the hand has on its sheets and in its head, with its own errors: only so are its readings its own."""
+
+    def __init__(self, m, mu_l):
+        self.m = m
+        self.places = {"scheme": dict(m.points), "forces": {f"o{n}": (0.0, 0.0) for n in range(1, 20)}}
+        self.numbers, self.lines, self.directions = {"mu_l": mu_l}, {}, {}
+        for link, (forces, couples) in m.loads().items():
+            for symbol, at, force in forces:
+                name = f"weight({link})" if symbol == f"W{link}" else f"inertia({link})" if symbol == f"Fi{link}" else symbol
+                self.numbers[f"load({name})"], self.directions[f"load({name})"] = size(force), unit(force)
+                self.places["scheme"].setdefault(symbol if name == symbol else f"G{link}", at)
+            for symbol, value in couples:
+                self.numbers[f"M_i({link})"] = value
+        for link, at, along in m.guides:
+            self.directions[f"{link}/ground"] = unit(along)
+
+    def reference(self, sheet, name):
+        if name in self.lines:
+            return self.lines[name][1]
+        if name in self.directions:
+            return self.directions[name]
+        ends = name.split(",") if "," in name else self.m.links[name]
+        on = next(s for s in ("scheme", sheet, "forces") if all(end in self.places[s] for end in ends))
+        return unit(add(self.places[on][ends[1]], self.places[on][ends[0]], -1))
+
+    def direction(self, sheet, along):
+        if "angle" in along:
+            return math.cos(math.radians(along["angle"])), math.sin(math.radians(along["angle"]))
+        return self.reference(sheet, along["parallel"]) if "parallel" in along else left(self.reference(sheet, along["normal"]))
+
+    def value(self, text):
+        def number(found):
+            name = found.group(0)
+            if name.startswith("L("):
+                a, b = name[2:-1].split(",")
+                return repr(size(add(self.m.points[a], self.m.points[b], -1)))
+            return repr(self.numbers[name])
+        return eval(re.sub(r"[A-Za-z_][A-Za-z_0-9]*(?:\((?:[^()]|\([^()]*\))*\))?", number, text).replace("--", "- -"))
+
+    def carry_out(self, entry):
+        if "line" in entry:
+            self.lines[entry["line"]] = (self.places[entry["on"]][entry["through"]], self.direction(entry["on"], entry["along"]), entry["on"])
+        elif "join" in entry:
+            a, b = (self.places[entry["on"]][p] for p in entry["points"])
+            self.lines[entry["join"]] = (a, unit(add(b, a, -1)), entry["on"])
+        elif "cross" in entry:
+            (p, u, on), (q, v, _) = (self.lines[line] for line in entry["of"])
+            if abs(cross(u, v)) < 1e-6:
+                raise Stuck
+            self.places[on][entry["cross"]] = add(p, u, cross(add(q, p, -1), v) / cross(u, v))
+        elif "lay_off" in entry:
+            at = self.places[entry["on"]][entry["from"]]
+            self.places[entry["on"]][entry["lay_off"]] = add(at, self.direction(entry["on"], entry["along"]), self.value(entry["size"]))
+        elif "measure" in entry:
+            a, b = (self.places[entry["on"]][entry[end]] for end in ("from", "to"))
+            self.numbers[entry["measure"]] = entry.get("read", size(add(a, b, -1)))
+        elif "compute" in entry:
+            self.numbers[entry["compute"]] = self.value(entry["as"])
+        elif "solve" in entry:
+            left_, right = entry["equations"][0].split(" = ")
+            self.numbers[entry["solve"][0]] = self.value(right) / self.value(left_.rsplit(" * ", 1)[0])
+
+
 class Board:
     def __init__(self, m, mu_l, mu_f, lot, route, by_pencil, mistake=None):
         self.m, self.mu_l, self.mu_f, self.lot, self.route, self.by_pencil, self.mistake = m, mu_l, mu_f, lot, route, by_pencil, mistake
@@ -44,7 +110,7 @@ class Board:
         self.loads = m.loads()
         self.known = {link: [self.load(link, *own) for own in self.loads[link][0]] for link in m.links}
         self.couples = {link: [(self.couple(link, name), value, name) for name, value in self.loads[link][1]] for link in m.links}
-        self.lines, self.turn = {}, lot.random()
+        self.lines, self.paper = {}, Paper(m, mu_l)
         for group in reversed(m.groups):
             {"RRR": self.rrr, "RRP": self.rrp, "III": self.third, "IV": self.fourth}[group[0]](*group[1:])
         self.crank()
@@ -53,6 +119,7 @@ class Board:
 
     def add(self, **entry):
         self.did.append({key.rstrip("_"): value for key, value in entry.items()})
+        self.paper.carry_out(self.did[-1])
         return len(self.did) - 1
 
     def own(self, letter):
@@ -148,7 +215,8 @@ class Board:
     def measure(self, name, sheet, a, b, length, mu):
         entry = dict(measure=name, on=sheet, from_=a, to=b)
         if self.by_pencil:
-            entry["read"] = round(length + self.lot.uniform(-MM, MM) * mu, 2)
+            places = self.paper.places[sheet]
+            entry["read"] = round(size(add(places[b], places[a], -1)) + self.lot.uniform(-MM, MM) * mu, 3)
         return self.add(**entry)
 
     def written(self, terms, sign=1):
@@ -246,6 +314,7 @@ class Board:
                 made = self.add(lay_off=name, on="forces", from_=corners[-1] if _ == 0 else last, size=text, along=along)
                 if changed:
                     self.did[made].update(changed)
+                    self.paper.carry_out(self.did[made])
                     self.spoil(made)
                 last = name
             if index == twice:
