@@ -59,6 +59,15 @@ impl OnPlan {
 /// A force below this part of the largest of its polygon is none.
 const NOTHING: f64 = 1e-9;
 
+/// Forces whose sum is a vector, and how far that is from it.
+struct Sum {
+    forces: Forces,
+    off: f64,
+}
+
+/// How much farther, in parts of what is allowed, a single force may be from a vector than a sum of two.
+const MORE: f64 = 0.3;
+
 /// Most sums of forces that are tried for a vector.
 const MOST_SUMS: usize = 8;
 
@@ -97,29 +106,32 @@ impl<'j> Bench<'j> {
             is_back: true,
             ..from
         };
-        if !from.is_back
-            && let Some(sum) = self.as_sum(entry, from, all & !from.forces, 1.0, is_typed)
-        {
-            return Some(self.near_by_hand(entry, made, OnPlan::right(forward(sum))));
-        }
         let behind = if from.forces == 0 { all } else { from.forces };
-        if (from.is_back || from.forces == 0)
-            && let Some(sum) = self.as_sum(entry, from, behind, -1.0, is_typed)
-        {
-            return Some(self.near_by_hand(entry, made, OnPlan::right(back(sum))));
+        let ahead = || self.as_sum(entry, from, all & !from.forces, 1.0, is_typed).filter(|_| !from.is_back);
+        let may_go_back = from.is_back || from.forces == 0;
+        let backwards = || self.as_sum(entry, from, behind, -1.0, is_typed).filter(|_| may_go_back);
+        let ways = [ahead().map(|sum| (sum, false)), backwards().map(|sum| (sum, true))];
+        let nearest = ways.into_iter().flatten().min_by(|one, other| one.0.off.total_cmp(&other.0.off));
+        if let Some((Sum { forces, .. }, is_back)) = nearest {
+            let corner = if is_back { back(forces) } else { forward(forces) };
+            return Some(self.near_by_hand(entry, made, OnPlan::right(corner)));
         }
         // A force that goes on where the first one ran back: that one was reversed.
         if let Some((first, corner)) = self.turned_back(from, polygon)
             && let Some(sum) = self.as_sum(entry, corner, all & !corner.forces, 1.0, is_typed)
         {
-            let forces = normal(corner.forces | sum, all);
+            let forces = normal(corner.forces | sum.forces, all);
             let reversed = Some((first, corner));
             return Some(OnPlan { reversed, ..OnPlan::right(Corner { forces, ..corner }) });
         }
         let meant = self.meant_force(laid, from, polygon, entry);
         let twice = self.as_sum(entry, from, from.forces, 1.0, is_typed).filter(|_| !from.is_back);
-        let twice =
-            || twice.and_then(|sum| self.first_symbol(polygon, sum)).map(|symbol| (tell::force_twice(symbol), from));
+        let twice = || {
+            twice
+                .as_ref()
+                .and_then(|sum| self.first_symbol(polygon, sum.forces))
+                .map(|symbol| (tell::force_twice(symbol), from))
+        };
         let other = || {
             let told = self.wrong_vector(entry, made, is_typed)?;
             Some((told, forward(1 << meant?)))
@@ -143,7 +155,7 @@ impl<'j> Bench<'j> {
     }
 
     /// The forces among some whose sum, times a sign, the vector of an entry is in all scenes.
-    fn as_sum(&self, entry: &Entry, from: Corner, among: Forces, sign: f64, is_typed: bool) -> Option<Forces> {
+    fn as_sum(&self, entry: &Entry, from: Corner, among: Forces, sign: f64, is_typed: bool) -> Option<Sum> {
         let Entry::LayOff(LayOff { from: start, .. }) = entry else { return None };
         let vector = |table: &Table<'_>, made: &Made| match made {
             Made::Place(_, _, at) => table.place(Sheet::Forces, start).map(|start| (at - start) * sign),
@@ -153,24 +165,28 @@ impl<'j> Bench<'j> {
             let exact = SAME * table.given.polygons.get(from.polygon).map_or(0.0, GivenPolygon::size);
             if is_typed { exact + self.typed_reach(Sheet::Forces, vector.norm()) } else { exact }
         };
-        let is_it = |sum: Forces, table: &Table<'_>, made: &Made| {
-            let Some(polygon) = self.polygon_in(table, from.polygon) else { return true };
-            vector(table, made).is_some_and(|vector| (vector - polygon.sum(sum)).norm() <= allowed(table, vector))
+        // How far a sum is from the vector, in parts of what is allowed; less is likelier, and so are fewer forces.
+        let off = |sum: Forces, table: &Table<'_>, made: &Made| {
+            let Some(polygon) = self.polygon_in(table, from.polygon) else { return 0.0 };
+            let vector = vector(table, made);
+            vector.map_or(f64::INFINITY, |own| (own - polygon.sum(sum)).norm() / allowed(table, own))
         };
+        // All that closes a polygon is never laid off: with it, whatever runs against its force would be the sum of all others.
         let closing = self.polygon(from.polygon)?.closing();
         let table = &self.right[0];
         let alone: Vec<Made> = table.carried_out_again(entry).into_iter().collect();
         let recognised = || self.made_with_right_numbers(entry, false);
         let all = if is_typed { [alone.clone(), recognised()].concat() } else { alone };
         for (index, made) in all.iter().enumerate() {
-            // All that closes a polygon is never laid off: with it, whatever runs against its force would be the sum of all others.
-            let is_laid_off = |sum: &Forces| sum & closing != closing;
-            let sums = subsets(among).filter(is_laid_off).filter(|sum| is_it(*sum, table, made));
-            let mut sums: Vec<Forces> = sums.collect();
-            sums.sort_by_key(|sum| (sum.count_ones(), *sum));
+            let laid_off = subsets(among).filter(|sum| sum & closing != closing);
+            let near = laid_off.map(|forces| (forces, off(forces, table, made))).filter(|(_, off)| *off <= 1.0);
+            let more = |forces: Forces| MORE * f64::from(forces.count_ones() - 1);
+            let mut sums: Vec<Sum> = near.map(|(forces, off)| Sum { forces, off: off + more(forces) }).collect();
+            sums.sort_by(|one, other| one.off.total_cmp(&other.off));
             sums.truncate(MOST_SUMS);
-            let holds =
-                |sum: &Forces| index > 0 || self.in_all(entry, is_typed, |table, made| is_it(*sum, table, made));
+            let holds = |sum: &Sum| {
+                index > 0 || self.in_all(entry, is_typed, |table, made| off(sum.forces, table, made) <= 1.0)
+            };
             if let Some(sum) = sums.into_iter().find(holds) {
                 return Some(sum);
             }

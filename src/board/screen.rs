@@ -16,10 +16,11 @@ use crate::drawing::{
 use crate::format::html_text;
 use crate::geometry::{Vector, cross};
 use crate::mechanism::{GROUND, Mechanism};
-use crate::quantity::{LoadOf, QuantityRequest, Spot, What, readable_names};
+use crate::quantity::{LoadOf, QuantityRequest, Spot, What, readable_names, step_names};
 use crate::scene::QuantityName;
 use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::words::{Medium, Wording};
+use indexmap::IndexSet;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 
@@ -299,7 +300,14 @@ impl Screen {
             }
         }
         let made: Vec<&str> = table.numbers().map(|(name, _)| name).collect();
-        for name in readable_names(&given.solution) {
+        // Where forces are drawn without plans, nobody asks for velocities.
+        let construction = given.construction();
+        let mut found = if given.polygons.is_empty() { Vec::new() } else { step_names(construction) };
+        if given.polygons.is_empty() || construction.draws_plans() {
+            found.extend(readable_names(&given.solution));
+        }
+        let found: IndexSet<String> = found.into_iter().collect();
+        for name in found {
             let name = name.trim_end_matches(".size").to_owned();
             let Some(quantity) = QuantityName::parse(&name) else { continue };
             if quantity.component.is_some() || given.given_number(&name).is_some() {
