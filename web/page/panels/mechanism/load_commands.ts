@@ -1,6 +1,7 @@
 /** What the form's buttons do about masses, forces, springs and friction. */
 import { SHEETS, type Edit } from "../../engine/types.ts";
 import { at, hasLoads, isDrawn, listOf, names, pointsOn, unitsOf, type Draft } from "../parts/scene.ts";
+import { added } from "../parts/edits.ts";
 import type { Command, Present } from "./commands.ts";
 
 /** The keys of a link that say of its mass. */
@@ -49,12 +50,6 @@ export const LOAD_COMMANDS: Record<string, Command> = {
 function parts(spot: string): [string, string] {
   const [link = "", point = ""] = spot.split(":");
   return [link, point];
-}
-
-/** The change that adds an entry to a list, which there may not be yet. */
-function added(scene: Draft, list: "forces" | "springs" | "friction", entry: object): Edit {
-  const count = listOf(scene, list).length;
-  return count === 0 ? { set: [list], value: [entry] } : { set: [list, count], value: entry };
 }
 
 /** The units of these that the scene lacks. */

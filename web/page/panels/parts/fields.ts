@@ -104,7 +104,7 @@ function select(desk: Desk, field: ChoiceField): Live {
   const { options } = field;
   const input = element("select", {}, ...options.map(({ text }, index) => element("option", { value: index }, text)));
   input.addEventListener("change", () => choose(desk, field, options[Number(input.value)]));
-  return { root: labelled(field, input), show: (scene) => (input.value = String(chosen(options, at(scene, field.path)))) };
+  return { root: labelled(field, input), show: (scene) => (input.value = String(field.now ?? chosen(options, at(scene, field.path)))) };
 }
 
 /** One of the scene's names. */

@@ -101,6 +101,8 @@ export interface SwitchField extends Named {
 export interface ChoiceField extends Named {
   kind: "choice";
   options: Option[] | Names;
+  /** Which one holds, where no one value says it. */
+  now?: number;
   /** Whether all are seen at once. */
   open?: boolean;
 }
