@@ -1376,6 +1376,16 @@ editing-link_there = ein Glied {$name} gibt es schon
 editing-other_name = wählen Sie einen anderen Namen
 editing-no_point = es gibt keinen Punkt {$name}
 editing-no_link = es gibt kein Glied {$name}
+editing-table_no_number = Zeile {$line}, Spalte {$column}: da steht keine Zahl
+editing-table_one_column = es gibt keine zweite Spalte
+editing-table_line = schreiben Sie in jede Zeile einen Ort und einen Faktor, als `90,1500`
+editing-table_unnamed = es gibt mehr als zwei Spalten, und die erste Zeile benennt sie nicht
+editing-table_head = benennen Sie die Spalten in der ersten Zeile, die von Lasten so wie die Szene
+editing-table_no_column = es gibt keine Spalte für `{$load}`
+editing-table_nameless = es gibt keine Spalte für diese Last, die keinen Namen hat
+editing-table_name = benennen Sie in der ersten Zeile eine Spalte so wie die Szene die Last
+editing-table_long = es gibt mehr als {$most} Zeilen
+editing-table_shorten = lassen Sie Zeilen weg, die eine Gerade ebenso gibt
 
 # Why a joint that is pulled does not follow the hand.
 

@@ -1409,6 +1409,16 @@ editing-link_there = there is a link {$name} already
 editing-other_name = choose another name
 editing-no_point = there is no point {$name}
 editing-no_link = there is no link {$name}
+editing-table_no_number = line {$line}, column {$column}: there is no number
+editing-table_one_column = there is no second column
+editing-table_line = write a place and a factor in every line, as `90,1500`
+editing-table_unnamed = there are more than two columns, and the first line does not name them
+editing-table_head = name the columns in the first line, those of loads as the scene names these
+editing-table_no_column = there is no column for `{$load}`
+editing-table_nameless = there is no column for this load, which has no name
+editing-table_name = name a column in the first line as the scene names the load
+editing-table_long = there are more than {$most} lines
+editing-table_shorten = leave out lines that a straight line gives as well
 
 # Why a joint that is pulled does not follow the hand.
 

@@ -1374,6 +1374,16 @@ editing-link_there = ya existe un eslabón {$name}
 editing-other_name = elija otro nombre
 editing-no_point = no existe el punto {$name}
 editing-no_link = no existe el eslabón {$name}
+editing-table_no_number = línea {$line}, columna {$column}: no hay un número
+editing-table_one_column = no hay segunda columna
+editing-table_line = escriba un lugar y un factor en cada línea, como `90,1500`
+editing-table_unnamed = hay más de dos columnas, y la primera línea no las nombra
+editing-table_head = nombre las columnas en la primera línea, las de cargas como la escena las nombra
+editing-table_no_column = no hay columna para `{$load}`
+editing-table_nameless = no hay columna para esta carga, que no tiene nombre
+editing-table_name = nombre una columna en la primera línea como la escena nombra la carga
+editing-table_long = hay más de {$most} líneas
+editing-table_shorten = omita las líneas que una recta da igual de bien
 
 # Why a joint that is pulled does not follow the hand.
 

@@ -1376,6 +1376,16 @@ editing-link_there = já existe um elo {$name}
 editing-other_name = escolha outro nome
 editing-no_point = não existe o ponto {$name}
 editing-no_link = não existe o elo {$name}
+editing-table_no_number = linha {$line}, coluna {$column}: não há um número
+editing-table_one_column = não há segunda coluna
+editing-table_line = escreva um lugar e um fator em cada linha, como `90,1500`
+editing-table_unnamed = há mais de duas colunas, e a primeira linha não as nomeia
+editing-table_head = nomeie as colunas na primeira linha, as de cargas como a cena as nomeia
+editing-table_no_column = não há coluna para `{$load}`
+editing-table_nameless = não há coluna para esta carga, que não tem nome
+editing-table_name = nomeie uma coluna na primeira linha como a cena nomeia a carga
+editing-table_long = há mais de {$most} linhas
+editing-table_shorten = omita linhas que uma reta dá igualmente
 
 # Why a joint that is pulled does not follow the hand.
 

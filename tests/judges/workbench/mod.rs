@@ -18,6 +18,7 @@ mod gestures;
 mod hostile;
 mod keyboard;
 mod lesson;
+mod joints;
 mod loads;
 mod minutes;
 mod people;
