@@ -1811,6 +1811,7 @@ page-build-tool_slider = Schieber
 page-build-tool_cylinder = Zylinder
 page-build-tool_drive = Antrieb
 page-build-tool_drop = Löschen
+page-build-tool_load = Last
 page-build-hint_select = Ziehen Sie einen Punkt oder ein Glied, um es zu verschieben. Ein Klick zeigt die Zahlen, mit zweien tippen Sie sie ein. Umschalt fügt zur Auswahl hinzu.
 page-build-hint_link = Ziehen Sie von Gelenk zu Gelenk, oder von einem leeren Ort zu einem anderen.
 page-build-hint_third = Ziehen Sie von einem Glied dorthin, wo sein weiterer Punkt liegen soll.
@@ -1819,6 +1820,7 @@ page-build-hint_slider = Ziehen Sie von dem Punkt, der gleitet: auf ein Glied, d
 page-build-hint_cylinder = Ziehen Sie von Gelenk zu Gelenk: ein Zylinder und seine Kolbenstange, die ein Antrieb auseinanderschiebt.
 page-build-hint_drive = Klicken Sie ein Glied mit festem Punkt oder einen Gleitstein an: Es wird angetrieben, oder nicht mehr.
 page-build-hint_drop = Klicken Sie einen Punkt oder ein Glied an, um es zu löschen.
+page-build-hint_load = Ziehen Sie vom Glied dorthin, wohin die Kraft zeigt: ein Schritt des Gitters sind 10 Einheiten. Tippen legt ein Moment auf das Glied.
 page-build-second = Nun das andere Ende.
 page-build-key = Taste {$key}
 page-build-what_slides = Was gleitet
@@ -2013,7 +2015,10 @@ page-mechanism-load_name = Name
 page-mechanism-force = Kraft
 page-mechanism-couple = Moment
 page-mechanism-turns_with_link = dreht sich mit dem Glied
-page-mechanism-changes_over = Ändert sich über {$of} nach einer Tabelle, die im Text steht.
+page-mechanism-changes_over = Ändert sich mit
+page-mechanism-add_over = Über der Bewegung
+page-mechanism-table_lines = Ort und Faktor, je eine Zeile
+page-mechanism-position_of = Lage von {$name}
 page-mechanism-drop_over = Tabelle von {$name} entfernen
 page-mechanism-drop_load = {$name} entfernen
 page-mechanism-rate = Kraft je Länge
@@ -2262,6 +2267,7 @@ page-parts-pin_length = Länge {$name} beim Formen festhalten
 page-parts-unreadable = Der Text der Szene hat einen Fehler, darum wartet das Formular. Beheben Sie ihn im Text, oder machen Sie rückgängig.
 page-parts-mend = Im Text zeigen
 page-parts-more = {$title}: alles
+page-parts-table_file = Datei (CSV)…
 
 
 ## The workbench: save

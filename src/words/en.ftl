@@ -1844,6 +1844,7 @@ page-build-tool_slider = Slider
 page-build-tool_cylinder = Cylinder
 page-build-tool_drive = Drive
 page-build-tool_drop = Remove
+page-build-tool_load = Load
 page-build-hint_select = Drag a point or a link to move it. Click it for its numbers, twice to type them. Shift adds to the choice.
 page-build-hint_link = Drag from joint to joint, or from one empty place to another.
 page-build-hint_third = Drag from a link to where its further point is to be.
@@ -1852,6 +1853,7 @@ page-build-hint_slider = Drag from the point that slides: onto a link that guide
 page-build-hint_cylinder = Drag from joint to joint: a cylinder and its rod, which a drive pushes apart.
 page-build-hint_drive = Click a link with a fixed point, or a block: it is driven, or no longer.
 page-build-hint_drop = Click a point or a link to remove it.
+page-build-hint_load = Drag from a link to where a force points: a step of the grid is 10 units. A tap puts a couple on the link.
 page-build-second = Now the other end.
 page-build-key = Key {$key}
 page-build-what_slides = What slides
@@ -2046,7 +2048,10 @@ page-mechanism-load_name = Name
 page-mechanism-force = Force
 page-mechanism-couple = Couple
 page-mechanism-turns_with_link = turns with the link
-page-mechanism-changes_over = Changes over {$of} by a table, which stands in the text.
+page-mechanism-changes_over = Changes over
+page-mechanism-add_over = Over the motion
+page-mechanism-table_lines = Place and factor, a line each
+page-mechanism-position_of = position of {$name}
 page-mechanism-drop_over = Remove the table of {$name}
 page-mechanism-drop_load = Remove {$name}
 page-mechanism-rate = Force per length
@@ -2295,6 +2300,7 @@ page-parts-pin_length = Hold length {$name} while shaping
 page-parts-unreadable = The scene’s text has a mistake, so the form waits. Mend it in the text, or undo.
 page-parts-mend = Show in the text
 page-parts-more = {$title}: all of it
+page-parts-table_file = File (CSV)…
 
 
 ## The workbench: save

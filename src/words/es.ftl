@@ -1809,6 +1809,7 @@ page-build-tool_slider = Corredera
 page-build-tool_cylinder = Cilindro
 page-build-tool_drive = Accionar
 page-build-tool_drop = Quitar
+page-build-tool_load = Carga
 page-build-hint_select = Arrastre un punto o un eslabón para moverlo. Un clic muestra sus números, dos permiten escribirlos. Mayús añade a lo elegido.
 page-build-hint_link = Arrastre de articulación a articulación, o de un lugar vacío a otro.
 page-build-hint_third = Arrastre desde un eslabón hasta donde debe estar su nuevo punto.
@@ -1817,6 +1818,7 @@ page-build-hint_slider = Arrastre desde el punto que desliza: hasta un eslabón 
 page-build-hint_cylinder = Arrastre de articulación a articulación: un cilindro y su vástago, que un accionamiento separa.
 page-build-hint_drive = Pulse un eslabón con un punto fijo, o una corredera: se acciona, o deja de accionarse.
 page-build-hint_drop = Pulse un punto o un eslabón para quitarlo.
+page-build-hint_load = Arrastre desde un eslabón hacia donde apunta la fuerza: un paso de la cuadrícula son 10 unidades. Un toque pone un par en el eslabón.
 page-build-second = Ahora el otro extremo.
 page-build-key = Tecla {$key}
 page-build-what_slides = Qué desliza
@@ -2011,7 +2013,10 @@ page-mechanism-load_name = Nombre
 page-mechanism-force = Fuerza
 page-mechanism-couple = Par
 page-mechanism-turns_with_link = gira con el eslabón
-page-mechanism-changes_over = Cambia con {$of} según una tabla que está en el texto.
+page-mechanism-changes_over = Cambia con
+page-mechanism-add_over = Según el movimiento
+page-mechanism-table_lines = Lugar y factor, una línea cada uno
+page-mechanism-position_of = posición de {$name}
 page-mechanism-drop_over = Quitar la tabla de {$name}
 page-mechanism-drop_load = Quitar {$name}
 page-mechanism-rate = Fuerza por longitud
@@ -2260,6 +2265,7 @@ page-parts-pin_length = Sujetar la longitud {$name} al dar forma
 page-parts-unreadable = El texto de la escena tiene un error y el formulario espera. Corríjalo en el texto o deshaga.
 page-parts-mend = Mostrar en el texto
 page-parts-more = {$title}: todo
+page-parts-table_file = Archivo (CSV)…
 
 
 ## The workbench: save

@@ -1811,6 +1811,7 @@ page-build-tool_slider = Cursor
 page-build-tool_cylinder = Cilindro
 page-build-tool_drive = Acionar
 page-build-tool_drop = Remover
+page-build-tool_load = Carga
 page-build-hint_select = Arraste um ponto ou um elo para movê-lo. Um clique mostra seus números, dois permitem digitá-los. Shift acrescenta à escolha.
 page-build-hint_link = Arraste de junta a junta, ou de um lugar vazio a outro.
 page-build-hint_third = Arraste de um elo até onde deve ficar seu novo ponto.
@@ -1819,6 +1820,7 @@ page-build-hint_slider = Arraste do ponto que desliza: até um elo que o guia, o
 page-build-hint_cylinder = Arraste de junta a junta: um cilindro e sua haste, que um acionamento afasta.
 page-build-hint_drive = Clique em um elo com um ponto fixo, ou em um bloco: ele passa a ser acionado, ou deixa de ser.
 page-build-hint_drop = Clique em um ponto ou em um elo para removê-lo.
+page-build-hint_load = Arraste do elo para onde a força aponta: um passo da grade são 10 unidades. Um toque põe um binário no elo.
 page-build-second = Agora o outro extremo.
 page-build-key = Tecla {$key}
 page-build-what_slides = O que desliza
@@ -2013,7 +2015,10 @@ page-mechanism-load_name = Nome
 page-mechanism-force = Força
 page-mechanism-couple = Binário
 page-mechanism-turns_with_link = gira com o elo
-page-mechanism-changes_over = Muda com {$of} segundo uma tabela que está no texto.
+page-mechanism-changes_over = Muda com
+page-mechanism-add_over = Ao longo do movimento
+page-mechanism-table_lines = Lugar e fator, uma linha cada
+page-mechanism-position_of = posição de {$name}
 page-mechanism-drop_over = Remover a tabela de {$name}
 page-mechanism-drop_load = Remover {$name}
 page-mechanism-rate = Força por comprimento
@@ -2262,6 +2267,7 @@ page-parts-pin_length = Fixar o comprimento {$name} ao moldar
 page-parts-unreadable = O texto da cena tem um erro, por isso o formulário espera. Corrija-o no texto, ou desfaça.
 page-parts-mend = Mostrar no texto
 page-parts-more = {$title}: tudo
+page-parts-table_file = Arquivo (CSV)…
 
 
 ## The workbench: save

@@ -617,6 +617,7 @@ export const build = {
     "tool_cylinder": "Cylinder",
     "tool_drive": "Drive",
     "tool_drop": "Remove",
+    "tool_load": "Load",
     "hint_select": "Drag a point or a link to move it. Click it for its numbers, twice to type them. Shift adds to the choice.",
     "hint_link": "Drag from joint to joint, or from one empty place to another.",
     "hint_third": "Drag from a link to where its further point is to be.",
@@ -625,6 +626,7 @@ export const build = {
     "hint_cylinder": "Drag from joint to joint: a cylinder and its rod, which a drive pushes apart.",
     "hint_drive": "Click a link with a fixed point, or a block: it is driven, or no longer.",
     "hint_drop": "Click a point or a link to remove it.",
+    "hint_load": "Drag from a link to where a force points: a step of the grid is 10 units. A tap puts a couple on the link.",
     "second": "Now the other end.",
     "key": "Key {key}",
     "what_slides": "What slides",
@@ -684,6 +686,7 @@ export const build = {
     "tool_cylinder": "Cilindro",
     "tool_drive": "Accionar",
     "tool_drop": "Quitar",
+    "tool_load": "Carga",
     "hint_select": "Arrastre un punto o un eslabón para moverlo. Un clic muestra sus números, dos permiten escribirlos. Mayús añade a lo elegido.",
     "hint_link": "Arrastre de articulación a articulación, o de un lugar vacío a otro.",
     "hint_third": "Arrastre desde un eslabón hasta donde debe estar su nuevo punto.",
@@ -692,6 +695,7 @@ export const build = {
     "hint_cylinder": "Arrastre de articulación a articulación: un cilindro y su vástago, que un accionamiento separa.",
     "hint_drive": "Pulse un eslabón con un punto fijo, o una corredera: se acciona, o deja de accionarse.",
     "hint_drop": "Pulse un punto o un eslabón para quitarlo.",
+    "hint_load": "Arrastre desde un eslabón hacia donde apunta la fuerza: un paso de la cuadrícula son 10 unidades. Un toque pone un par en el eslabón.",
     "second": "Ahora el otro extremo.",
     "key": "Tecla {key}",
     "what_slides": "Qué desliza",
@@ -751,6 +755,7 @@ export const build = {
     "tool_cylinder": "Zylinder",
     "tool_drive": "Antrieb",
     "tool_drop": "Löschen",
+    "tool_load": "Last",
     "hint_select": "Ziehen Sie einen Punkt oder ein Glied, um es zu verschieben. Ein Klick zeigt die Zahlen, mit zweien tippen Sie sie ein. Umschalt fügt zur Auswahl hinzu.",
     "hint_link": "Ziehen Sie von Gelenk zu Gelenk, oder von einem leeren Ort zu einem anderen.",
     "hint_third": "Ziehen Sie von einem Glied dorthin, wo sein weiterer Punkt liegen soll.",
@@ -759,6 +764,7 @@ export const build = {
     "hint_cylinder": "Ziehen Sie von Gelenk zu Gelenk: ein Zylinder und seine Kolbenstange, die ein Antrieb auseinanderschiebt.",
     "hint_drive": "Klicken Sie ein Glied mit festem Punkt oder einen Gleitstein an: Es wird angetrieben, oder nicht mehr.",
     "hint_drop": "Klicken Sie einen Punkt oder ein Glied an, um es zu löschen.",
+    "hint_load": "Ziehen Sie vom Glied dorthin, wohin die Kraft zeigt: ein Schritt des Gitters sind 10 Einheiten. Tippen legt ein Moment auf das Glied.",
     "second": "Nun das andere Ende.",
     "key": "Taste {key}",
     "what_slides": "Was gleitet",
@@ -818,6 +824,7 @@ export const build = {
     "tool_cylinder": "Cilindro",
     "tool_drive": "Acionar",
     "tool_drop": "Remover",
+    "tool_load": "Carga",
     "hint_select": "Arraste um ponto ou um elo para movê-lo. Um clique mostra seus números, dois permitem digitá-los. Shift acrescenta à escolha.",
     "hint_link": "Arraste de junta a junta, ou de um lugar vazio a outro.",
     "hint_third": "Arraste de um elo até onde deve ficar seu novo ponto.",
@@ -826,6 +833,7 @@ export const build = {
     "hint_cylinder": "Arraste de junta a junta: um cilindro e sua haste, que um acionamento afasta.",
     "hint_drive": "Clique em um elo com um ponto fixo, ou em um bloco: ele passa a ser acionado, ou deixa de ser.",
     "hint_drop": "Clique em um ponto ou em um elo para removê-lo.",
+    "hint_load": "Arraste do elo para onde a força aponta: um passo da grade são 10 unidades. Um toque põe um binário no elo.",
     "second": "Agora o outro extremo.",
     "key": "Tecla {key}",
     "what_slides": "O que desliza",
@@ -1021,7 +1029,10 @@ export const mechanism = {
     "force": "Force",
     "couple": "Couple",
     "turns_with_link": "turns with the link",
-    "changes_over": "Changes over {of} by a table, which stands in the text.",
+    "changes_over": "Changes over",
+    "add_over": "Over the motion",
+    "table_lines": "Place and factor, a line each",
+    "position_of": "position of {name}",
     "drop_over": "Remove the table of {name}",
     "drop_load": "Remove {name}",
     "rate": "Force per length",
@@ -1202,7 +1213,10 @@ export const mechanism = {
     "force": "Fuerza",
     "couple": "Par",
     "turns_with_link": "gira con el eslabón",
-    "changes_over": "Cambia con {of} según una tabla que está en el texto.",
+    "changes_over": "Cambia con",
+    "add_over": "Según el movimiento",
+    "table_lines": "Lugar y factor, una línea cada uno",
+    "position_of": "posición de {name}",
     "drop_over": "Quitar la tabla de {name}",
     "drop_load": "Quitar {name}",
     "rate": "Fuerza por longitud",
@@ -1383,7 +1397,10 @@ export const mechanism = {
     "force": "Kraft",
     "couple": "Moment",
     "turns_with_link": "dreht sich mit dem Glied",
-    "changes_over": "Ändert sich über {of} nach einer Tabelle, die im Text steht.",
+    "changes_over": "Ändert sich mit",
+    "add_over": "Über der Bewegung",
+    "table_lines": "Ort und Faktor, je eine Zeile",
+    "position_of": "Lage von {name}",
     "drop_over": "Tabelle von {name} entfernen",
     "drop_load": "{name} entfernen",
     "rate": "Kraft je Länge",
@@ -1564,7 +1581,10 @@ export const mechanism = {
     "force": "Força",
     "couple": "Binário",
     "turns_with_link": "gira com o elo",
-    "changes_over": "Muda com {of} segundo uma tabela que está no texto.",
+    "changes_over": "Muda com",
+    "add_over": "Ao longo do movimento",
+    "table_lines": "Lugar e fator, uma linha cada",
+    "position_of": "posição de {name}",
     "drop_over": "Remover a tabela de {name}",
     "drop_load": "Remover {name}",
     "rate": "Força por comprimento",
@@ -2383,7 +2403,8 @@ export const parts = {
     "pin_length": "Hold length {name} while shaping",
     "unreadable": "The scene’s text has a mistake, so the form waits. Mend it in the text, or undo.",
     "mend": "Show in the text",
-    "more": "{title}: all of it"
+    "more": "{title}: all of it",
+    "table_file": "File (CSV)…"
   },
   "es": {
     "needed": "Aquí hace falta un número.",
@@ -2394,7 +2415,8 @@ export const parts = {
     "pin_length": "Sujetar la longitud {name} al dar forma",
     "unreadable": "El texto de la escena tiene un error y el formulario espera. Corríjalo en el texto o deshaga.",
     "mend": "Mostrar en el texto",
-    "more": "{title}: todo"
+    "more": "{title}: todo",
+    "table_file": "Archivo (CSV)…"
   },
   "de": {
     "needed": "Hier wird eine Zahl gebraucht.",
@@ -2405,7 +2427,8 @@ export const parts = {
     "pin_length": "Länge {name} beim Formen festhalten",
     "unreadable": "Der Text der Szene hat einen Fehler, darum wartet das Formular. Beheben Sie ihn im Text, oder machen Sie rückgängig.",
     "mend": "Im Text zeigen",
-    "more": "{title}: alles"
+    "more": "{title}: alles",
+    "table_file": "Datei (CSV)…"
   },
   "pt": {
     "needed": "Aqui é preciso um número.",
@@ -2416,7 +2439,8 @@ export const parts = {
     "pin_length": "Fixar o comprimento {name} ao moldar",
     "unreadable": "O texto da cena tem um erro, por isso o formulário espera. Corrija-o no texto, ou desfaça.",
     "mend": "Mostrar no texto",
-    "more": "{title}: tudo"
+    "more": "{title}: tudo",
+    "table_file": "Arquivo (CSV)…"
   }
 };
 

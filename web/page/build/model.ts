@@ -95,7 +95,7 @@ export function model(app: App): Model {
 
   function present(): Present | null {
     const scene = parsed(app.history.now.value.text);
-    return scene === null || shown.value === null ? null : { scene, drafted: shown.value.drafted, places: placesIn(shown.value.drafted) };
+    return scene === null || shown.value === null ? null : { scene, drafted: shown.value.drafted, places: placesIn(shown.value.drafted), grain: own.grid().fine };
   }
 
   async function fresh(): Promise<void> {

@@ -52,7 +52,7 @@ export interface Row {
   buttons?: Button[];
 }
 
-export type Field = NumberField | TextField | ChoiceField | ChecksField | SwitchField | PointsField | Adder;
+export type Field = TableField | NumberField | TextField | ChoiceField | ChecksField | SwitchField | PointsField | Adder;
 
 /** What the owner of the form is asked to do: a name, and what with. */
 export interface Ask {
@@ -89,6 +89,13 @@ export interface TextField extends Named {
   usual?: string;
   /** Whether an empty text is one, in place of none. */
   keepsEmpty?: boolean;
+}
+
+/** A table of two columns: places and factors. */
+export interface TableField extends Named {
+  kind: "table";
+  /** The name of its column in a file that has several. */
+  load: string;
 }
 
 /** Yes or no; what is usual is not written. */

@@ -74,6 +74,11 @@ export function slidersOf(scene: Draft): readonly unknown[] {
   return listOf(scene, "sliders");
 }
 
+/** The name of a slider in those of quantities and joints, as `3/ground`. */
+export function sliderName(slider: unknown): string {
+  return `${at(slider, ["link"]) ?? at(slider, ["pin"])}/${at(slider, ["on"])}`;
+}
+
 /** Whether something loads a link. */
 export function hasLoads(scene: Draft): boolean {
   const isHeavy = ([, link]: [string, unknown]): boolean => at(link, ["mass"]) !== undefined || at(link, ["weight"]) !== undefined;
