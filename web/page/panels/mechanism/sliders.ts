@@ -88,8 +88,8 @@ export function guide(scene: Draft, path: Path, on: string, isFlat = false): Row
     ...points.map((value) => ({ value, text: value })),
     ...(canPlace || Array.isArray(through) ? [{ any: "list" as const, text: say("through_place"), ask: { do: "place", with: path.map(String) } }] : []),
   ];
-  const where: Field[] = [{ kind: "choice", path: [...path, "through"], label: say("through"), options: places }];
-  const direction: Field[] = [{ kind: "choice", path: [...path, "along"], label: say("along"), options: directions(points, along).slice(isFlat ? 1 : 0) }];
+  const where: Field[] = [{ kind: "choice", path: [...path, "through"], label: say(isFlat ? "face_through" : "through"), options: places }];
+  const direction: Field[] = [{ kind: "choice", path: [...path, "along"], label: say(isFlat ? "face_along" : "along"), options: directions(points, along).slice(isFlat ? 1 : 0) }];
   if (typeof along === "number") direction.push({ kind: "number", path: [...path, "along"], label: say("degrees"), unit: "°", step: 1, needed: true });
   if (Array.isArray(along)) direction.push(...placeFields([...path, "along"], "", 0.1));
   return [{ fields: where }, { fields: direction }];
