@@ -10,7 +10,9 @@ use super::shape::{Shape, around};
 use super::sheet::Pen;
 use super::text::RichText;
 use super::view::{Extent, View, towards};
-use crate::construction::{Action, ForceOf, ForcePart, ForcePlan, ForceStep, NOTHING, Polygon, Side, SideKind};
+use crate::construction::{
+    Action, Construction, ForceOf, ForcePart, ForcePlan, ForceStep, NOTHING, Polygon, Side, SideKind,
+};
 use crate::geometry;
 use crate::mechanism::{BodyId, Mechanism};
 use kurbo::{Point, Vec2};
@@ -19,8 +21,8 @@ use kurbo::{Point, Vec2};
 const BEYOND: f64 = 5.0;
 
 /// The extent of all polygons.
-pub(super) fn extent(context: &SheetContext<'_>) -> Option<Extent> {
-    let plan = context.construction().forces.as_deref()?;
+pub(super) fn extent(construction: &Construction) -> Option<Extent> {
+    let plan = construction.forces.as_deref()?;
     let ends = plan
         .polygons
         .iter()
