@@ -18,8 +18,8 @@ pub(super) fn with_tables(mut source: Source, scene: &Path) -> Result<Source, Fa
             return refuse(message, "put the table beside the scene");
         }
         let file = read_form(&path)?;
-        let lines = lines_of_table(&file.text, given.name.as_deref())
-            .map_err(|problem| in_file(&file.name, problem))?;
+        let lines =
+            lines_of_table(&file.text, given.name.as_deref()).map_err(|problem| in_file(&file.name, problem))?;
         source.text = source.checked(with_table(&source.text, given.load, &lines))?;
     }
     Ok(source)

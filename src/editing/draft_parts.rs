@@ -40,7 +40,8 @@ impl Sketch {
         let Some((one, other)) = self.center(gear, 0).zip(self.center(gear, 1)) else { return Vec::new() };
         let apart = (other - one).norm();
         let radii = if gear["belt"].is_string() {
-            let unit = gear["radius"].as_f64().map_or(LARGER_WHEEL * apart / first.max(second), |radius| radius / first);
+            let unit =
+                gear["radius"].as_f64().map_or(LARGER_WHEEL * apart / first.max(second), |radius| radius / first);
             [first * unit, second * unit]
         } else {
             [first, second].map(|teeth| (apart * teeth / (first + second)).abs())
@@ -75,7 +76,12 @@ impl Sketch {
         let on = load["on"].as_str()?;
         let force = vector(&load["force"]).unwrap_or_default();
         let force = if load["turns"] == true { self.own(on)? * force } else { force };
-        Some(DraftLoad { name, at: self.place_on(on, &load["at"])?, force, couple: load["couple"].as_f64().unwrap_or(0.0) })
+        Some(DraftLoad {
+            name,
+            at: self.place_on(on, &load["at"])?,
+            force,
+            couple: load["couple"].as_f64().unwrap_or(0.0),
+        })
     }
 
     /// The turn of a link's own axis.

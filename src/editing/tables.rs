@@ -68,7 +68,7 @@ pub fn lines_of_table(text: &str, load: Option<&str>) -> Result<Vec<[f64; 2]>, P
         cell.parse::<f64>().ok().filter(|x| x.is_finite())
     };
     let head = cells(first, mark);
-    let is_head = number(&head[0]).is_none();
+    let is_head = number(head[0]).is_none();
     let column = column_of(load, &head, is_head)?;
     let mut lines = Vec::new();
     for (index, line) in filled.skip(usize::from(is_head)) {

@@ -93,6 +93,7 @@ fn loads_stand_where_they_act() {
   ],
   "near""#;
     let text = files::read("templates/slider-crank.json").replacen("\"near\"", loads, 1);
+    let text = text.replacen("\"time\": \"s\"", "\"time\": \"s\", \"force\": \"N\"", 1);
     let draft_of = Draft::of(&text).expect("JSON");
     let names: Vec<&str> = draft_of.loads.iter().map(|load| load.name.as_str()).collect();
     assert_eq!(names, ["F1", "M1", "P"]);

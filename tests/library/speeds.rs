@@ -213,7 +213,7 @@ fn a_hand_computes_them_from_its_rates() {
 #[test]
 fn what_turns_is_offered() {
     let offered = |text: &str| {
-        let solution = kinegon::solve(text).expect("it is solved");
+        let solution = solution(&serde_json::from_str(text).expect("JSON"));
         let names = turning_names(&solution.mechanism);
         for name in &names {
             QuantityRequest::new(name, &solution.mechanism).expect(name);
@@ -221,7 +221,8 @@ fn what_turns_is_offered() {
         names
     };
     let train = offered(&files::read("templates/planetary.json"));
-    let mut wanted = ["i(2,1)", "i(3,1)", "omega(2/1)", "alpha(2/1)", "omega(3/1)", "alpha(3/1)", "rpm(1)", "rpm(2)", "rpm(3)"];
+    let mut wanted =
+        ["i(2,1)", "i(3,1)", "omega(2/1)", "alpha(2/1)", "omega(3/1)", "alpha(3/1)", "rpm(1)", "rpm(2)", "rpm(3)"];
     wanted.sort_unstable();
     let mut found = train.clone();
     found.sort_unstable();

@@ -128,7 +128,10 @@ fn a_cam_comes_changes_and_goes() {
     let start = text.find("  \"contacts\": [").expect("contacts");
     let end = start + text[start..].find("  ],\n").expect("an end") + 5;
     let Some(mut bench) = opened("joints-cam", &format!("{}{}", &text[..start], &text[end..])) else { return };
-    assert!(refused(&mut bench).contains("drive") || !refused(&mut bench).is_empty(), "without the contact it is loose");
+    assert!(
+        refused(&mut bench).contains("drive") || !refused(&mut bench).is_empty(),
+        "without the contact it is loose"
+    );
     bench.click("#panel-mechanism [data-path='contacts'] > summary");
     bench.settle();
     bench.choose("[data-path='contacts.+'] select", "link 1 at K");
@@ -191,7 +194,10 @@ fn wheels_are_added_and_removed_by_keys() {
 
 #[test]
 fn wheels_and_cams_fit_a_telephone() {
-    for (name, text) in [("planetary", files::read("templates/planetary.json")), ("eccentric-cam", files::read("templates/eccentric-cam.json"))] {
+    for (name, text) in [
+        ("planetary", files::read("templates/planetary.json")),
+        ("eccentric-cam", files::read("templates/eccentric-cam.json")),
+    ] {
         let Some(mut bench) = Bench::closed(&format!("joints-telephone-{name}"), None) else { return };
         bench.telephone([360, 640]);
         bench.load("");
