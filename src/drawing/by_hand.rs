@@ -114,7 +114,7 @@ impl HandPaper {
         let context = SheetContext::new(solution, Purpose::Exercise);
         let extent = match sheet.order() {
             None if sheet == Sheet::Centers => centers::extent(&context),
-            None if sheet == Sheet::Forces => super::forces::extent(&context)?,
+            None if sheet == Sheet::Forces => super::forces::extent(context.construction())?,
             None => scheme::on_paper::extent(&context),
             Some(order) => super::plan::on_paper::extent(context.construction().plan(order)?, ConstructionShown::Whole),
         };

@@ -5,12 +5,10 @@ use super::canvas::Canvas;
 use super::centers;
 use super::compose::{Composition, further_sheets};
 use super::context::{Purpose, SheetContext};
-use super::forces;
 use super::labels::LabelRequest;
 use super::layout::{Needs, Placed};
-use super::lever;
 use super::lines::{Line, Lines};
-use super::panel::{Frame, Panel, content, extents, panels};
+use super::panel::{Frame, Panel, content, extents, panels, plan_extent};
 use super::plan::on_paper::extent;
 use super::scheme;
 use super::shape::Shape;
@@ -285,7 +283,7 @@ fn panel_of_centers<'a>(context: &'a SheetContext<'a>) -> Panel<'a> {
 
 /// The panel of force polygons or of a lever as a student gets it: empty, but for the poles of levers.
 fn panel_of_forces<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Option<Panel<'a>> {
-    let own = if sheet == Sheet::Lever { lever::extent(context) } else { forces::extent(context) };
+    let own = plan_extent(sheet, context.construction(), context.figure().construction);
     let name = context.words.language.sheet(sheet);
     let frame = Frame::new(Line::new(vec![RichText::plain(name)]), Pen::Heading).with_scale(context);
     let needs = Needs { mu: context.surface.mu[sheet], white: AROUND_PLAN, ..frame.needs(context, sheet, own?) };

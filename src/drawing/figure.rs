@@ -352,8 +352,11 @@ fn sheets_scales(context: &SheetContext<'_>, extents: &Extents) -> [Scales; SHEE
     }
     // Words of steps that no sheet shows need no room; with very many points they take time.
     let has_steps = SizeLimit::STEPS.check(&context.solution.scene).is_ok();
+    // A ruler takes room from the words below the panels of a work sheet; a hand has the same scales without one.
+    let table = (context.surface.series == Series::Hand).then_some(TablePlace::Apart);
     let sheets = SHEETS.map(|steps| {
-        composed(context, extents, Contents { steps: steps.filter(|_| has_steps), ..Contents::default() })
+        let steps = steps.filter(|_| has_steps);
+        composed(context, extents, Contents { steps, table: table.filter(|_| steps.is_none()), ..Contents::default() })
     });
     let own = sheets.each_ref().map(|sheet| given.or(sheet.layout().mu()));
     if figure.scales == ScalesFor::Sheet || context.surface.series == Series::Any {

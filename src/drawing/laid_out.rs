@@ -118,11 +118,16 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
     }
     let Some(steps) = steps else {
         let values = list.and_then(|listed| value_list(context, listed, None));
-        let ruler = (table == Some(TablePlace::Apart)).then(|| Ruler::new(context));
         // The list of results takes the place of the remark: so a sheet has the same room with values and without.
-        let beside = ruler.as_ref().map_or(0.0, Ruler::width);
-        let agreement = remarks::agreement(context, None, beside, values.is_some());
-        return sheet.with_optional(values).with(agreement).with_optional(ruler);
+        let said = |beside| remarks::agreement(context, None, beside, values.is_some());
+        let (ruler, said) = match table {
+            Some(TablePlace::Apart) => {
+                let (ruler, said) = Ruler::with_words(context, said);
+                (Some(ruler), said)
+            }
+            _ => (None, said(0.0)),
+        };
+        return sheet.with_optional(values).with(said).with_optional(ruler);
     };
     // On the sheets of steps values come after the last one.
     let after = Some(context.construction().step_count() as u16 + 1);

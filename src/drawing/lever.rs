@@ -9,7 +9,7 @@ use super::shape::Shape;
 use super::sheet::Pen;
 use super::text::RichText;
 use super::view::{Extent, View, on_sheet, together, towards};
-use crate::construction::{Action, Lever, LeverForce, LeverStep, image_name};
+use crate::construction::{Action, Construction, Lever, LeverForce, LeverStep, image_name};
 use crate::geometry::{self, Vector};
 use crate::sheet::{Order, Sheet};
 use kurbo::{Point, Vec2};
@@ -26,8 +26,8 @@ const POLE: f64 = 1.1;
 const SHARED: f64 = 0.35;
 
 /// The extent of all images.
-pub(super) fn extent(context: &SheetContext<'_>) -> Option<Extent> {
-    let levers = &context.construction().levers;
+pub(super) fn extent(construction: &Construction) -> Option<Extent> {
+    let levers = &construction.levers;
     let place = |at: Vector| geometry::Point::from(at);
     let images = levers.iter().flat_map(|lever| lever.links.iter().flat_map(|(_, images)| images));
     let forces = levers.iter().flat_map(|lever| &lever.forces).map(|force| place(force.at));

@@ -17,9 +17,10 @@ use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::text::{CAPTION, RichText};
 use super::view::{Extent, Series, View};
-use crate::construction::{Plan, Solution};
+use crate::construction::{Construction, Plan, Solution};
 use crate::cycle::{Animation, differing_drives};
 use crate::geometry;
+use crate::scene::ConstructionShown;
 use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use crate::words::Language;
@@ -234,11 +235,7 @@ fn extents_with(context: &SheetContext<'_>, scheme: impl Fn(&SheetContext<'_>) -
         let extent = match sheet {
             Sheet::Scheme => scheme(context),
             Sheet::Centers => centers::extent(context),
-            Sheet::Forces => forces::extent(context)?,
-            Sheet::Lever => lever::extent(context)?,
-            Sheet::Velocity | Sheet::Acceleration => {
-                plan::on_paper::extent(context.plan(sheet)?, context.figure().construction)
-            }
+            plan => plan_extent(plan, context.construction(), context.figure().construction)?,
         };
         Some((sheet, extent))
     };
@@ -282,6 +279,17 @@ pub(super) fn extents_in(own: &SheetContext<'_>, cycles: impl IntoIterator<Item:
         (panel, whole)
     };
     extents(own).into_iter().map(with_cycles).collect()
+}
+
+/// The extent of a plan, about its pole, or of polygons of forces or levers about their origin; none of what a position does
+/// not have, and of the scheme.
+pub(super) fn plan_extent(sheet: Sheet, construction: &Construction, details: ConstructionShown) -> Option<Extent> {
+    match sheet {
+        Sheet::Scheme | Sheet::Centers => None,
+        Sheet::Forces => forces::extent(construction),
+        Sheet::Lever => lever::extent(construction),
+        Sheet::Velocity | Sheet::Acceleration => Some(plan::on_paper::extent(construction.plan_on(sheet)?, details)),
+    }
 }
 
 /// Panels of these extents, with layers from `layers`.

@@ -224,6 +224,9 @@ const BEFORE: f64 = 3.0;
 /// Room after the ruler for its last number with the unit, in mm.
 const AFTER: f64 = 12.0;
 
+/// Height of the ruler with its numbers, in mm.
+const HEIGHT: f64 = 11.0;
+
 /// A ruler at the right end of the area below the scales, for a sheet without the table; words before it.
 pub(super) struct Ruler {
     words: RichText,
@@ -246,6 +249,17 @@ impl Ruler {
         Self { lines: if is_beside { 0.0 } else { lines.height() }, ..ruler }
     }
 
+    /// A ruler beside words that make room for it, given the width that is kept free, or below them where that is lower:
+    /// on a narrow sheet words beside it would be a column.
+    pub(super) fn with_words(context: &SheetContext<'_>, said: impl Fn(f64) -> Lines) -> (Ruler, Lines) {
+        let ruler = Ruler::new(context);
+        let (beside, above) = (said(ruler.width()), said(0.0));
+        match beside.height() <= above.height() + HEIGHT {
+            true => (ruler, beside),
+            false => (Ruler { lines: above.height(), ..ruler }, above),
+        }
+    }
+
     /// Width of the area that is kept free, in mm.
     pub(super) fn width(&self) -> f64 {
         self.words.width(CAPTION) + 2.0 * BEFORE + RULER / self.unit + AFTER
@@ -254,7 +268,7 @@ impl Ruler {
 
 impl Item for Ruler {
     fn height(&self) -> f64 {
-        self.lines + 11.0
+        self.lines + HEIGHT
     }
 
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {

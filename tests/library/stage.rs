@@ -384,3 +384,43 @@ fn words_in_a_corner_fit_a_telephone() {
     assert_eq!(words.len(), 1);
     assert!(frames.iter().any(|frame| frame.x0 <= words[0].x0 && words[0].x1 <= frame.x1), "{words:?} {frames:?}");
 }
+
+/// A press that carries only its weights for most of its turn: polygons of small forces are seen at rest, nothing of them is cut on the
+/// way to the scale of the cycle, and then they are as in the cycle.
+#[test]
+fn small_forces_are_large_at_rest() {
+    let mut scene: serde_json::Value = serde_json::from_str(&files::read("templates/slider-crank.json")).expect("JSON");
+    scene["units"]["mass"] = "kg".into();
+    scene["units"]["force"] = "N".into();
+    scene["gravity"] = serde_json::json!([0, -9810]);
+    scene["links"]["3"]["mass"] = 1.into();
+    scene["links"]["3"]["center"] = "C".into();
+    let table = serde_json::json!([[0, 0], [80, 0], [90, -40000], [120, -40000], [130, 0]]);
+    let over = serde_json::json!({ "of": "angle(1)", "table": table });
+    scene["forces"] = serde_json::json!([{ "on": "3", "at": "C", "force": [1, 0], "over": over }]);
+    scene["figure"]["panels"] = serde_json::json!(["scheme", "forces"]);
+    let own = solved(&scene.to_string()).expect("it can be solved");
+    let pane = Pane { width: 780.0, height: 590.0, letters: 14.0, words: true };
+    let cycle = HeldLayout::of_cycle(&own, None, None, Some(pane));
+    let height = |drawing: &Drawing| {
+        let sides =
+            drawing.marks.iter().filter(|mark| mark.id.as_ref().is_some_and(|id| id.starts_with("forces-force-")));
+        let arrows = sides.filter(|mark| matches!(mark.shape, Shape::Arrow { .. }));
+        let all = arrows.map(|mark| mark.shape.bounds()).reduce(|all, one| all.union(one)).expect("there are forces");
+        all.width().max(all.height())
+    };
+    let mut layout = cycle.clone().at_rest(&own);
+    let (large, small) = (height(&layout.draw(&own, None)), height(&cycle.draw(&own, None)));
+    assert!(large > 30.0 * small && large > 50.0, "{large} at rest, {small} in the cycle");
+    let mut pull = Pull::new(&own, None).expect("it can be moved");
+    let start = pull.value();
+    for k in 1..=40 {
+        let moved = own.moved(pull.to_value(start + f64::from(k)).pose).expect("it has a motion");
+        layout.in_motion(&moved);
+        let drawing = layout.draw(&moved, None);
+        assert!(layout.panels(&drawing).iter().all(|panel| !panel.is_cut), "cut after {k} pictures");
+        if k == 40 {
+            assert_eq!(drawing.svg(), cycle.draw(&moved, None).svg());
+        }
+    }
+}

@@ -172,11 +172,7 @@ fn nothing_overlaps_on_any_page() {
                 let keys = serde_json::json!({ "page": page, "language": language, "decimal": "comma" });
                 let (_, sheets) = worksheet(&text, keys);
                 for (number, sheet) in sheets.iter().enumerate() {
-                    let mut found = faults(sheet);
-                    // On upright sheets plans come up to the line of their scale: docs/limits.md.
-                    if page.ends_with("portrait") && matches!(&*name, "planetary" | "eccentric-cam" | "flat-follower") {
-                        found.retain(|fault| !fault.contains("p23") && !fault.contains(" lies on velocity-vector"));
-                    }
+                    let found = faults(sheet);
                     wrong.extend(found.iter().map(|fault| format!("{name} on {page}, sheet {number}: {fault}")));
                     let has_table = number + 1 == sheets.len();
                     let legend = usize::from(number == 0);

@@ -11,7 +11,8 @@ use super::sheet::Pen;
 use super::text::RichText;
 use super::view::{Extent, View, towards};
 use crate::construction::{
-    Action, ForceOf, ForcePart, ForcePlan, ForceStep, NOTHING, Polygon, Side, SideKind, display, plain_text,
+    Action, Construction, ForceOf, ForcePart, ForcePlan, ForceStep, NOTHING, Polygon, Side, SideKind, display,
+    plain_text,
 };
 use crate::geometry;
 use crate::mechanism::{BodyId, Mechanism};
@@ -23,8 +24,8 @@ use kurbo::{Point, Vec2};
 const BEYOND: f64 = 5.0;
 
 /// The extent of all polygons.
-pub(super) fn extent(context: &SheetContext<'_>) -> Option<Extent> {
-    let plan = context.construction().forces.as_deref()?;
+pub(super) fn extent(construction: &Construction) -> Option<Extent> {
+    let plan = construction.forces.as_deref()?;
     let ends = plan
         .polygons
         .iter()

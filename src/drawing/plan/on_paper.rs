@@ -23,6 +23,8 @@ use kurbo::{Point, Vec2};
 
 /// White between the room of a panel and the points in it, in mm.
 const EDGE: f64 = 1.5;
+/// That at the frame itself, in mm: no head or dot is cut off there.
+const DOT: f64 = 1.0;
 /// Length of a ray beyond the crossing, in mm.
 const BEYOND: f64 = 5.0;
 
@@ -86,7 +88,7 @@ impl<'a> PlanOnPaper<'a> {
         let Some(point) = self.plan.points.get(name).filter(|point| !is_image(point.role)) else { return false };
         let place = point.vector.into();
         let is_of_extent = self.extent.with(place) == self.extent;
-        let room = if is_of_extent { canvas.frame } else { canvas.room().inset(-EDGE) };
+        let room = if is_of_extent { canvas.frame.inset(-DOT) } else { canvas.room().inset(-EDGE) };
         !holds(room, self.view.at(place))
     }
 

@@ -55,8 +55,7 @@ fn it_stands_still_while_it_plays() {
     let moves =
         |(_, text): &(String, String)| serde_json::from_str::<Value>(text).expect("JSON").get("points").is_none();
     let folders = ["templates", "tests/lecture", "examples"];
-    // Two drives that count whole turns: docs/limits.md.
-    let scenes = folders.into_iter().flat_map(files::scenes).filter(moves).filter(|(name, _)| name != "differential");
+    let scenes = folders.into_iter().flat_map(files::scenes).filter(moves);
     let mut turned = 0;
     for (name, text) in scenes.step_by(survey::PLAYED.now()) {
         bench.put(&text);
