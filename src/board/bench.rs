@@ -152,7 +152,8 @@ impl<'j> Bench<'j> {
             if matches!(verdicts[index], Verdict::Wrong(_) | Verdict::Follows) {
                 self.tainted.extend(things.iter().cloned());
             }
-            self.put_right(index, entry, &made, is_typed);
+            let is_wrong = matches!(verdicts[index], Verdict::Wrong(_));
+            self.put_right((index, is_wrong), entry, &made, is_typed);
             self.own.put(made);
             self.done.push((index, entry));
         }
@@ -175,7 +176,7 @@ impl<'j> Bench<'j> {
     }
 
     /// Puts the right things down in all scenes.
-    fn put_right(&mut self, index: usize, entry: &Entry, made: &Made, is_typed: bool) {
+    fn put_right(&mut self, (index, is_wrong): (usize, bool), entry: &Entry, made: &Made, is_typed: bool) {
         let meant = self.right_meaning(entry);
         let entry = meant.as_ref().unwrap_or(entry);
         let is_typed = is_typed || self.reads_typed(entry);
@@ -209,9 +210,9 @@ impl<'j> Bench<'j> {
                     let right = all.into_iter().map(|(name, number)| {
                         let asked = named.as_ref().unwrap_or(&name);
                         let right = table.given.number(asked).or_else(|| written_together(table.given, entry, &name));
-                        // What is written without a sign keeps the hand's.
-                        let right = right
-                            .map(|right| if is_size_of_force(asked) { right.abs().copysign(number) } else { right });
+                        // What is written without a sign keeps the hand's; where it is wrong, that says nothing.
+                        let keeps_sign = is_size_of_force(asked) && (!is_wrong || matches!(entry, Entry::Measure(_)));
+                        let right = right.map(|right| if keeps_sign { right.abs().copysign(number) } else { right });
                         is_own |= right.is_none();
                         (name, right.unwrap_or(number))
                     });

@@ -77,10 +77,20 @@ impl Screen {
         let mut ahead = table.clone();
         let has_ways = given.construction().centers.is_some() || !given.polygons.is_empty();
         let needed = if has_ways { needed(given, &own.did, table) } else { vec![true; own.did.len()] };
+        let (by_itself, _) = self.judge.drawn(own);
         for (index, entry) in own.did.iter().enumerate() {
             let is_line = matches!(entry, Entry::Line(_) | Entry::Join(_));
             let Ok(made) = ahead.carry_out(entry) else {
-                continue;
+                // Where the hand's polygons have other corners, numbers are found from these.
+                let names = entry.made();
+                let is_missing = needed[index] && names.iter().all(|name| given.number(name).is_some());
+                let found = names.iter().map(|name| Some(((*name).to_owned(), by_itself.known(name)?)));
+                match found.collect::<Option<Vec<_>>>() {
+                    Some(found) if is_missing && !given.polygons.is_empty() => {
+                        return Some((entry.clone(), Made::Numbers(found)));
+                    }
+                    _ => continue,
+                }
             };
             let is_there = match &made {
                 // A corner of a polygon has whatever name the hand has given it.
