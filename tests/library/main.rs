@@ -117,6 +117,7 @@ mod photographs;
 mod plan_vectors;
 mod planted_mistakes;
 mod planted_modes;
+mod planted_numbers;
 mod point_paths;
 mod polygons;
 mod properties;

@@ -237,6 +237,8 @@ macro_rules! catalogue {
             /// Moments taken about a point through which the lines of the other unknowns do not pass.
             MomentAboutWrongPoint "moment-about-wrong-point" 15.0 moments::about_wrong_point {
                 moment_about_wrong_point(found, wrong, right)
+                /// About which one the values leave open.
+                moment_about_another_point(found, right)
             }
             /// Forces put on the velocity plan as it is, not turned.
             LeverNotTurned "lever-not-turned" 4.0 moments::not_turned { lever_not_turned(found) }
@@ -266,7 +268,7 @@ macro_rules! catalogue {
                 rims_swapped(wheel)
             }
             /// The accelerations of two wheels taken as equal where they touch.
-            AccelerationsEqualAtP "accelerations-equal-at-P" 6.0 teeth::accelerations_equal {
+            AccelerationsEqualAtP "accelerations-equal-at-P" 9.0 teeth::accelerations_equal {
                 accelerations_equal(first, second)
             }
             /// The diameter of a wheel in place of its radius.

@@ -4,9 +4,9 @@
 use super::beside::measured_there;
 use super::lengths::in_pose;
 use super::site::{Candidate, Site, instead, times};
-use super::told::{Blank, tell};
+use super::told::{Blank, Told, tell};
 use crate::construction::{
-    Along, LineId, OperationKind, OperationRole, PlaceId, Reference, Ruled, RuledEnd,
+    Along, Disturbance, LineId, OperationKind, OperationRole, PlaceId, Reference, Ruled, RuledEnd,
 };
 use crate::geometry::{Vector, quarter_turn, unit};
 use crate::mechanism::{BodyId, Contact, GROUND, PointId, Touch};
@@ -121,7 +121,9 @@ pub(super) fn wrong_center(site: &Site<'_>) -> Vec<Candidate> {
                     Some(instead(index, OperationKind::Join { line, from: ends[0], towards: ends[1] }))
                 });
                 let edits: Vec<_> = lines.collect();
-                let Some(step) = edits.iter().filter_map(|edit| first_use(site, edit.operation)).min() else { continue };
+                let Some(step) = edits.iter().filter_map(|edit| first_use(site, edit.operation)).min() else {
+                    continue;
+                };
                 all.push(Candidate { edits: edits.clone(), ..Candidate::at(told.clone(), step) });
                 let distance = |a: PlaceId, b: PlaceId| (site.model.exact.place(a) - site.model.exact.place(b)).norm();
                 let ratio = distance(place, kept) / distance(from, to);
@@ -176,19 +178,41 @@ pub(super) fn sliding_left_out(site: &Site<'_>) -> Vec<Candidate> {
                 continue;
             }
             let crossing = site.operations().find_map(|(index, operation)| match operation.kind {
-                OperationKind::Cross { place, lines } if lines.contains(&line) => Some((index, place)),
+                OperationKind::Cross { place, lines } if lines.contains(&line) => Some((index, place, lines)),
                 _ => None,
             });
-            let Some((index, place)) = crossing else { continue };
-            let ruled = |x, y| {
-                Ruled::Through([RuledEnd::Place(through), RuledEnd::Towards(Along::given(Vector::new(x, y)))])
-            };
+            let Some((index, place, lines)) = crossing else { continue };
+            let ruled =
+                |x, y| Ruled::Through([RuledEnd::Place(through), RuledEnd::Towards(Along::given(Vector::new(x, y)))]);
             let kind = OperationKind::Meet { place, lines: [ruled(1.0, 0.0), ruled(0.0, 1.0)] };
             let told = tell::sliding_left_out(site.place(place), site.place(through));
-            all.extend(measured_there(site.model, site.candidate(told, instead(index, kind)), place));
+            all.extend(measured_there(site.model, site.candidate(told.clone(), instead(index, kind)), place));
+            let other = lines.into_iter().find(|other| *other != line);
+            all.extend(other.and_then(|other| at_its_speed(site, &told, (index, place), [line, other])));
         }
     }
     all
+}
+
+/// The same by somebody who takes the speed alone: the image stands as far out on its other ray, and the segment along the tangent is taken as nothing.
+fn at_its_speed(
+    site: &Site<'_>,
+    told: &Told,
+    (index, place): (usize, PlaceId),
+    [tangent, other]: [LineId; 2],
+) -> Option<Candidate> {
+    let through = |line: LineId| match site.drawing_of(line)?.1.kind {
+        OperationKind::Draw { through, .. } => Some(through),
+        _ => None,
+    };
+    let at = |place: PlaceId| site.model.exact.place(place);
+    let (known, begin) = (through(tangent)?, through(other)?);
+    let sense = unit(at(place) - at(begin))?;
+    let near = at(begin) + sense * (at(known) - at(begin)).norm();
+    let (measured, number, _) = site.measuring_along(tangent)?;
+    let kind = OperationKind::OnLine { place, line: Ruled::Line(other), near };
+    let edits = vec![instead(index, kind), times(measured, number, 0.0)];
+    Some(Candidate { edits, ..Candidate::at(told.clone(), site.model.steps[index]) })
 }
 
 /// A flat face taken along or across the line from the centre of curvature to another point of the bodies.
@@ -213,20 +237,45 @@ pub(super) fn face_along_wrong_line(site: &Site<'_>) -> Vec<Candidate> {
                 if along.dot(&quarter_turn(right)).abs() < ONE {
                     continue;
                 }
-                let guides = site.operations().filter(|(_, operation)| operation.role == OperationRole::Guide(slider));
-                let edits: Vec<_> = guides
-                    .filter(|(_, operation)| operation.sheet == Sheet::Scheme)
-                    .filter_map(|(index, operation)| {
-                        let line = operation.kind.line()?;
-                        let along = Along::given(along);
-                        Some(instead(index, OperationKind::Draw { line, through: from, along }))
-                    })
-                    .collect();
-                if let Some(step) = edits.iter().filter_map(|edit| first_use(site, edit.operation)).min() {
+                let joined = site.plotted(other).map(|to| site.joined([from, to])).unwrap_or_default();
+                let edits = along_instead(site, contact, along, joined.first().map(|(_, line)| *line));
+                let step = edits.iter().map(|edit| site.model.steps[edit.operation]).min();
+                if let Some(step) = step {
                     all.push(Candidate { edits, ..Candidate::at(told, step) });
                 }
             }
         }
     }
     all
+}
+
+/// What is drawn and laid off along a face or across it, along another direction in place of it: that of a line that is there, where it is one.
+fn along_instead(site: &Site<'_>, contact: &Contact, along: Vector, line: Option<LineId>) -> Vec<Disturbance> {
+    let guides: Vec<LineId> = tangents(site, contact).into_iter().map(|(line, _)| line).collect();
+    let taken = |turns: u8| {
+        let by_line = line.and_then(|line| {
+            let turned =
+                (0..4).find(|turns| (site.model.exact.along(&Along::line(line).turned(*turns)) - along).norm() < ONE);
+            turned.map(|turns| Along::line(line).turned(turns))
+        });
+        by_line.unwrap_or(Along::given(along)).turned(turns)
+    };
+    let edits =
+        site.operations().filter(|(_, operation)| operation.sheet != Sheet::Scheme).filter_map(|(index, operation)| {
+            let wrong = |own: Along| match own.reference {
+                Reference::Line(of) if guides.contains(&of) => Some(taken(own.quarter_turns)),
+                _ => None,
+            };
+            let kind = match operation.kind {
+                OperationKind::Draw { line, through, along } => {
+                    OperationKind::Draw { line, through, along: wrong(along)? }
+                }
+                OperationKind::LayOff { place, from, size, along } => {
+                    OperationKind::LayOff { place, from, size, along: wrong(along)? }
+                }
+                _ => return None,
+            };
+            Some(instead(index, kind))
+        });
+    edits.collect()
 }

@@ -218,7 +218,11 @@ pub(super) fn inertia_along(site: &Site<'_>) -> Vec<Candidate> {
 }
 
 /// The same mistake with all of several loads: its first blank has the symbols of all.
-pub(super) fn all_of(each: &[Candidate], blanks: impl Fn(&Told) -> Vec<Blank>, tell: fn(Blank) -> Told) -> Option<Candidate> {
+pub(super) fn all_of(
+    each: &[Candidate],
+    blanks: impl Fn(&Told) -> Vec<Blank>,
+    tell: fn(Blank) -> Told,
+) -> Option<Candidate> {
     if each.len() < 2 {
         return None;
     }

@@ -78,12 +78,7 @@ impl<'s> Friction<'s> {
     }
 
     /// The candidates for each target, with the factor of each joint in it.
-    fn each(
-        &self,
-        joints: &[JointId],
-        tell: fn(Blank) -> Told,
-        factor: impl Fn(JointId) -> f64,
-    ) -> Vec<Candidate> {
+    fn each(&self, joints: &[JointId], tell: fn(Blank) -> Told, factor: impl Fn(JointId) -> f64) -> Vec<Candidate> {
         let candidates = |target: Vec<JointId>| {
             let told = tell(self.symbols(&target));
             self.wrong(&told, &|joint| if target.contains(&joint) { factor(joint) } else { 1.0 })

@@ -110,7 +110,8 @@ fn of_moments(drawn: &Drawn<'_>) -> Vec<Candidate> {
     let mut of_wheels: Vec<(BodyId, Candidate)> = Vec::new();
     for sum in sums(site) {
         for arm in &sum.arms {
-            let (Some(OperationRole::Pitch(joint)), Some(OperationRole::Joint(center))) = (role(arm.at), role(arm.about))
+            let (Some(OperationRole::Pitch(joint)), Some(OperationRole::Joint(center))) =
+                (role(arm.at), role(arm.about))
             else {
                 continue;
             };
@@ -132,8 +133,7 @@ fn of_moments(drawn: &Drawn<'_>) -> Vec<Candidate> {
             wheels.extend(Some(wheel).filter(|wheel| !wheels.contains(wheel)));
             finds.extend(found.filter(|found| !finds.contains(found)));
         }
-        let told =
-            tell::diameter_for_radius(Blank::Words(finds.join(", ")), Blank::Words(wheels.join(", ")));
+        let told = tell::diameter_for_radius(Blank::Words(finds.join(", ")), Blank::Words(wheels.join(", ")));
         let step = of_wheels.iter().map(|(_, one)| one.step).min();
         let edits = of_wheels.into_iter().flat_map(|(_, one)| one.edits).collect();
         all.extend(drawn.together(told, edits, step));
