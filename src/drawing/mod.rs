@@ -110,6 +110,7 @@ mod table;
 mod text;
 mod values;
 mod view;
+mod willis;
 mod words;
 mod worksheet;
 
