@@ -186,11 +186,12 @@ impl Screen {
                 });
             }
         }
-        if let Some((_, paper)) = papers.iter().find(|(sheet, _)| *sheet == Sheet::Scheme) {
-            all.extend(self.references(table).into_iter().map(|reference| {
+        for (sheet, paper) in papers.iter().filter(|(sheet, _)| matches!(sheet, Sheet::Scheme | Sheet::Forces)) {
+            let references = if *sheet == Sheet::Scheme { self.references(table) } else { self.corners(table) };
+            all.extend(references.into_iter().map(|reference| {
                 let ends = reference.ends.map(|end| paper.at(end));
                 BoardThing {
-                    sheet: Sheet::Scheme,
+                    sheet: *sheet,
                     kind: reference.kind,
                     label: html_text(&RichText::plain(&reference.name.replace(',', ""))),
                     words: self.words.language.says(&reference.words),
@@ -199,6 +200,24 @@ impl Screen {
                     at: middle(&ends),
                     entry: None,
                 }
+            }));
+        }
+        all
+    }
+
+    /// What gives directions on the sheet of forces: two corners, between which a force lies.
+    pub(super) fn corners(&self, table: &Table<'_>) -> Vec<Reference> {
+        let given = self.judge.given();
+        let places: Vec<(&str, Vector)> = table.places(Sheet::Forces).collect();
+        let mut all = Vec::new();
+        for (at, (from, start)) in places.iter().enumerate() {
+            // Between the starts of two polygons there is nothing.
+            let others = places[at + 1..].iter().filter(|(to, _)| !(given.is_there(from) && given.is_there(to)));
+            all.extend(others.map(|(to, end)| Reference {
+                name: format!("{from},{to}"),
+                kind: ThingKind::Link,
+                words: format!("{from}{to}").into(),
+                ends: [*start, *end],
             }));
         }
         all

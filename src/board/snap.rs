@@ -266,6 +266,12 @@ impl Press<'_> {
                 add(reference.name.clone(), language.says(&reference.words), ends);
             }
         }
+        if self.pressed.sheet == Sheet::Forces {
+            for reference in self.screen.corners(self.table) {
+                let ends = reference.ends.map(|end| self.paper.at(end));
+                add(reference.name.clone(), language.says(&reference.words), ends);
+            }
+        }
         for (name, line) in self.table.lines().filter(|(_, line)| line.sheet == self.pressed.sheet) {
             add(name.to_owned(), language.says(&super::says::drawn_line(name)), across(line, &self.paper));
         }
