@@ -6,9 +6,10 @@ import { mobility } from "../../web/page/build/mobility.ts";
 import type { Drafted, Edit } from "../../web/page/engine/types.ts";
 import { contacts } from "../../web/page/panels/mechanism/contacts.ts";
 import { JOINT_COMMANDS, TOUCHES, profileOf, touchOf } from "../../web/page/panels/mechanism/joint_commands.ts";
+import { rolling } from "../../web/page/panels/mechanism/rolling.ts";
 import { sliders } from "../../web/page/panels/mechanism/sliders.ts";
 import { wheels } from "../../web/page/panels/mechanism/wheels.ts";
-import type { Card, Field, Group } from "../../web/page/panels/parts/form.ts";
+import type { Card, Field } from "../../web/page/panels/parts/form.ts";
 import { at, parsed, type Draft } from "../../web/page/panels/parts/scene.ts";
 import { after } from "./edited.ts";
 
@@ -27,9 +28,9 @@ function does(scene: Draft, name: string, ...given: string[]): Draft {
   return after(scene, edits(scene, name, ...given));
 }
 
-function paths(group: Group): Set<string> {
+function paths(cards: Card[]): Set<string> {
   const fields = (card: Card): Field[] => [...card.line(), ...card.rows()].flatMap((row) => row.fields);
-  return new Set((group.cards ?? []).flatMap(fields).map(({ path }) => path.join(".")));
+  return new Set(cards.flatMap(fields).map(({ path }) => path.join(".")));
 }
 
 test("a pair is carried by what both wheels have a pin on", () => {
@@ -39,7 +40,7 @@ test("a pair is carried by what both wheels have a pin on", () => {
   assert.deepEqual(one.gears, [{ mesh: ["3", "2"], teeth: [20, 40], on: "1" }], "sun and planet on the arm");
   const two = does(one, "gear", "2", "ground");
   assert.deepEqual(at(two, ["gears", 1]), { mesh: ["2", "ground"], teeth: [20, 40], on: "1" });
-  assert.deepEqual(wheels(two).cards?.map(({ title, role }) => [title, role]), [["3 with 2", "on 1"], ["2 with ground", "on 1"]]);
+  assert.deepEqual(wheels(two).map(({ title, role }) => [title, role]), [["3 with 2", "on 1"], ["2 with ground", "on 1"]]);
   // What slides on the carrier is a rack.
   const rolling = parsed(readFileSync("../tests/page/rolling.json", "utf8"))!;
   assert.deepEqual(does(rolling, "gear", "2", "ground").gears, [{ mesh: ["2", "ground"], teeth: [20, "rack"], on: "1", radius: 20 }]);
@@ -71,7 +72,14 @@ test("whichever way wheels touch, their numbers can be so, and all comes back", 
     const has = paths(wheels(now));
     assert.equal(has.has("gears.1.position"), isRack);
     assert.equal(has.has("gears.1.phase"), !isRack);
-    assert.equal(has.has("gears.1.pressure"), touch !== "open" && touch !== "crossed");
+    const isBelt = touch === "open" || touch === "crossed";
+    assert.equal(has.has("gears.1.pressure"), !isBelt);
+    // What belongs to another way to touch goes with it.
+    const keys = { position: isRack, phase: !isRack, pressure: !isBelt };
+    for (const [key, isAllowed] of Object.entries(keys)) {
+      if (!isAllowed) assert.equal(at(pair, [key]), undefined, `${key} of ${touch}`);
+      else now = after(now, [{ set: ["gears", 1, key], value: 4 }]);
+    }
   }
 });
 
@@ -82,8 +90,8 @@ test("radii of a new contact bring its centres as far apart as they are", () => 
   const [first, second] = at(next, ["contacts", 0, "radii"]) as [number, number];
   assert.equal(first + second, 52);
   assert.equal(profileOf(at(next, ["contacts", 0])), "roller");
-  assert.equal(contacts(cam).folded, true);
-  assert.equal(contacts(next).folded, false);
+  assert.equal(rolling(cam).folded, true);
+  assert.equal(rolling(next).folded, false);
 });
 
 test("a flat profile has a direction in place of a centre, and loses it again", () => {
@@ -102,8 +110,8 @@ test("a slot gets ends about where its pin is", () => {
   const crank = template("slider-crank");
   const [low, high] = at(does(crank, "travel", "0"), ["sliders", 0, "travel"]) as [number, number];
   assert.ok(low < 52.3 && 52.3 < high);
-  assert.ok(paths(sliders(does(crank, "travel", "0"))).has("sliders.0.travel.1"));
-  assert.ok(!paths(sliders(crank)).has("sliders.0.travel.1"));
+  assert.ok(paths(sliders(does(crank, "travel", "0")).cards!).has("sliders.0.travel.1"));
+  assert.ok(!paths(sliders(crank).cards!).has("sliders.0.travel.1"));
 });
 
 test("wheels and profiles that touch take one motion each", () => {

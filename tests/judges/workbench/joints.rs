@@ -132,7 +132,7 @@ fn a_cam_comes_changes_and_goes() {
         refused(&mut bench).contains("drive") || !refused(&mut bench).is_empty(),
         "without the contact it is loose"
     );
-    bench.click("#panel-mechanism [data-path='contacts'] > summary");
+    bench.click("#panel-mechanism [data-path='gears'] > summary");
     bench.settle();
     bench.choose("[data-path='contacts.+'] select", "link 1 at K");
     bench.choose("[data-path='contacts.+'] select:nth-of-type(2)", "link 3 at C");
@@ -204,7 +204,7 @@ fn wheels_and_cams_fit_a_telephone() {
         bench.put(&text);
         bench.value("kinegon.app.show('mechanism')");
         bench.settle();
-        let groups = "#panel-mechanism :is([data-path='gears'], [data-path='contacts'])";
+        let groups = "#panel-mechanism [data-path='gears']";
         bench.value(&format!("document.querySelectorAll(\"{groups} .more\").forEach((more) => more.click())"));
         bench.settle();
         bench.value(&format!("document.querySelector(\"{groups} .card\").scrollIntoView()"));

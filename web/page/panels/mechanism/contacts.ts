@@ -1,28 +1,19 @@
 import { stepFor } from "../../number.ts";
 import { named } from "../output/subject.ts";
-import type { Adder, Card, Field, Group, Option, Row } from "../parts/form.ts";
+import type { Adder, Card, Field, Option, Row } from "../parts/form.ts";
 import { at, linksOf, listOf, pointsOn, sizeOf, unitsOf, type Draft, type Path } from "../parts/scene.ts";
 import { PROFILES, profileOf } from "./joint_commands.ts";
 import { guide } from "./sliders.ts";
 import { say } from "./words.ts";
 
-/** Profiles that touch, as those of a cam and its follower: a card each. */
-export function contacts(scene: Draft): Group {
-  const all = listOf(scene, "contacts");
-  return {
-    id: "contacts",
-    title: say("contacts"),
-    help: say("contacts_help"),
-    path: ["contacts"],
-    folded: all.length === 0,
-    cards: all.map((contact, index) => card(scene, contact, index)),
-    rows: linksOf(scene).length === 0 ? [] : [{ fields: [adder()] }],
-  };
-}
-
 type Listed = { value: string; text: string };
 
-function adder(): Adder {
+/** Profiles that touch, as those of a cam and its follower: a card each. */
+export function contacts(scene: Draft): Card[] {
+  return listOf(scene, "contacts").map((contact, index) => card(scene, contact, index));
+}
+
+export function contactAdder(): Adder {
   const lists = [
     { label: say("first_center"), options: (scene: Draft) => centers(scene, false) },
     { label: say("second_center"), options: (scene: Draft) => centers(scene, true) },

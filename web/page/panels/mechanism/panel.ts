@@ -8,15 +8,14 @@ import { keepForm } from "../parts/sheet.ts";
 import { command } from "./commands.ts";
 import { gallery } from "./gallery.ts";
 import { about, ground } from "./ground.ts";
-import { contacts } from "./contacts.ts";
 import { drawnPoints, known } from "./known.ts";
 import { noteOf } from "./kinds.ts";
 import { links } from "./links.ts";
 import { loads } from "./loads.ts";
 import { near } from "./near.ts";
 import { revealing } from "./revealing.ts";
+import { rolling } from "./rolling.ts";
 import { sliders } from "./sliders.ts";
-import { wheels } from "./wheels.ts";
 import { say } from "./words.ts";
 
 /** The whole scene as a form. */
@@ -42,7 +41,7 @@ function describe(scene: Draft, kinds: Kind[]): Form {
   const first = about();
   if (typeof note === "string") first.help = noteOf(note, kinds, language.value);
   const groups = isDrawn(scene)
-    ? [first, drawnPoints(scene), known(scene), links(scene), sliders(scene), wheels(scene), contacts(scene), loads(scene)]
-    : [first, ground(scene), links(scene), sliders(scene), wheels(scene), contacts(scene), loads(scene), near(scene)];
+    ? [first, drawnPoints(scene), known(scene), links(scene), sliders(scene), rolling(scene), loads(scene)]
+    : [first, ground(scene), links(scene), sliders(scene), rolling(scene), loads(scene), near(scene)];
   return { groups };
 }

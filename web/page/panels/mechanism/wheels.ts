@@ -1,25 +1,16 @@
 import { stepFor } from "../../number.ts";
 import { named } from "../output/subject.ts";
-import type { Adder, Card, Field, Group, Option, Row } from "../parts/form.ts";
+import type { Adder, Card, Field, Option, Row } from "../parts/form.ts";
 import { at, isDrawn, linksOf, listOf, sizeOf, unitsOf, type Draft, type Path } from "../parts/scene.ts";
 import { TOUCHES, touchOf, type Touch } from "./joint_commands.ts";
 import { say } from "./words.ts";
 
 /** Pairs of wheels, a wheel and its rack, wheels with a belt: a card each. */
-export function wheels(scene: Draft): Group {
-  const pairs = listOf(scene, "gears");
-  return {
-    id: "gears",
-    title: say("gears"),
-    help: say("gears_help"),
-    path: ["gears"],
-    folded: pairs.length === 0,
-    cards: pairs.map((pair, index) => card(scene, pair, index)),
-    rows: linksOf(scene).length === 0 ? [] : [{ fields: [adder()] }],
-  };
+export function wheels(scene: Draft): Card[] {
+  return listOf(scene, "gears").map((pair, index) => card(scene, pair, index));
 }
 
-function adder(): Adder {
+export function wheelAdder(): Adder {
   const lists = [
     { label: say("wheel"), options: linksAsOptions },
     { label: say("runs_on"), options: others },
