@@ -25,7 +25,7 @@ use std::cell::OnceCell;
 #[derive(Clone, Debug)]
 pub struct Bounds<'a> {
     pub(super) scene: &'a Scene,
-    mechanism: &'a Mechanism,
+    pub(super) mechanism: &'a Mechanism,
     pose: &'a Pose,
     motion: &'a Motion,
     pub(super) enclosure: Option<Enclosure>,

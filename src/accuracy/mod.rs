@@ -15,6 +15,7 @@
 mod bounds;
 mod certificate;
 mod contacts;
+mod corners;
 mod enclosure;
 mod given;
 mod locals;

@@ -42,7 +42,9 @@ impl Bounds<'_> {
             }),
             (Quantity::Number(value), component) => {
                 let mu = match &asked.what {
-                    What::Segment(order, _) if asked.written.on_paper => scales.and_then(|all| all[order.sheet()]),
+                    What::Segment(..) | What::Corners(_) if asked.written.on_paper => {
+                        scales.and_then(|all| all[asked.sheet()])
+                    }
                     _ => None,
                 };
                 self.from(of, |truth| {
@@ -99,6 +101,7 @@ impl Bounds<'_> {
             }
             What::Part(part, a, b, link) => TrueValue::Vector(self.true_part(e, *part, [a, b], *link)?),
             What::Segment(order, [from, to]) => TrueValue::Vector(self.true_segment(*order, [from, to])?),
+            What::Corners([from, to]) => TrueValue::Vector(self.true_side(e, [from, to])?),
             What::Pole(pole) => TrueValue::Vector(e.pole(pole)?),
             What::InflectionDiameter(pole) => TrueValue::Number(e.diameter(pole)),
             What::PathRadius(spot) => {

@@ -1,7 +1,7 @@
 //! What an entry comes to by itself, with right inputs: a point must be where its name says, a number must be what its name says, a line
 //! must go through the point for which it is used.
 
-use super::bench::{Bench, Found};
+use super::bench::{Bench, Found, is_size_of_force};
 use super::file::{Compute, Cross, Entry, LayOff, Line, Measure, Solve};
 use super::formula::Formula;
 use super::says;
@@ -109,12 +109,12 @@ impl Bench<'_> {
     }
 
     /// The right things of the scenes that count.
-    fn scenes(&self, is_typed: bool) -> impl Iterator<Item = &Table<'_>> {
+    pub fn scenes(&self, is_typed: bool) -> impl Iterator<Item = &Table<'_>> {
         self.right.iter().take(if is_typed { 1 } else { usize::MAX })
     }
 
     /// How far a typed number or angle may lead aside at this distance.
-    fn typed_reach(&self, sheet: Sheet, distance: f64) -> f64 {
+    pub fn typed_reach(&self, sheet: Sheet, distance: f64) -> f64 {
         let limit = self.judge.tolerance();
         3.0 * (limit.mm * self.own.scale(sheet) + limit.degrees.to_radians() * distance) + TYPED * distance
     }
@@ -187,7 +187,7 @@ impl Bench<'_> {
     }
 
     /// Whether what an entry makes is right in the scenes that count; in others the numbers of a formula may have changed their signs.
-    fn in_all(&self, entry: &Entry, is_typed: bool, is_right: impl Fn(&Table<'_>, &Made) -> bool) -> bool {
+    pub fn in_all(&self, entry: &Entry, is_typed: bool, is_right: impl Fn(&Table<'_>, &Made) -> bool) -> bool {
         self.scenes(is_typed).enumerate().all(|(scene, table)| {
             let right = || match table.carry_out(entry) {
                 Ok(made) => is_right(table, &made),
@@ -199,6 +199,13 @@ impl Bench<'_> {
     }
 
     fn found_number(&self, entry: &Entry, name: &str, own: f64, is_typed: bool) -> Found {
+        // A side of a polygon that hangs on something wrong is measured rightly.
+        let ends = |measure: &Measure| [&measure.from, &measure.to].map(|end| (Some(Sheet::Forces), end.clone()));
+        if let Entry::Measure(measure) = entry
+            && ends(measure).iter().any(|end| self.tainted.contains(end))
+        {
+            return Found::Right;
+        }
         if let Entry::Measure(measure) = entry {
             if self.is_between_others(measure) {
                 return Found::Wrong(says::number_wrong(name));
@@ -236,6 +243,9 @@ impl Bench<'_> {
 
     /// Whether a quantity is the size of a velocity that is laid off on no plan: its sign says nothing there.
     fn is_size_alone(&self, asked: &str) -> bool {
+        if is_size_of_force(asked) {
+            return true;
+        }
         let is_velocity = QuantityName::parse(asked).is_some_and(|name| name.head == Head::Velocity);
         is_velocity && !self.judge.given().construction().by_hand.contains(&Sheet::Velocity)
     }
@@ -287,8 +297,15 @@ impl Bench<'_> {
                 let unknowns: Option<Vec<f64>> = own.iter().map(|(name, _)| table.given.number(name)).collect();
                 let Some(unknowns) = unknowns else { return false };
                 let allowed = if is_typed { TYPED } else { SAME };
+                let turned: Vec<f64> = unknowns
+                    .iter()
+                    .zip(own)
+                    .map(
+                        |(right, (name, own))| if is_size_of_force(name) { right.abs().copysign(*own) } else { *right },
+                    )
+                    .collect();
                 let holds = || {
-                    let remains = table.residuals(solve, &unknowns);
+                    let remains = table.residuals(solve, &turned);
                     remains.is_ok_and(|remains| remains[equation].abs() <= allowed)
                 };
                 let sides = Formula::sides(&solve.equations[equation]);

@@ -3,12 +3,14 @@
 use super::cause::Causes;
 use super::direction::Direction;
 use super::file::{Compute, Cross, Entry, HandDrawing, LayOff, Line, Measure, Solve};
+use super::force_plan::{Corner, ForceLine, OnPlan};
 use super::formula::Formula;
 use super::given::Given;
 use super::judge::{BoardError, Judge, JudgedDrawing, Verdict, standing};
 use super::reads::reads;
 use super::table::{Made, Table, Thing, things};
 use crate::message::Message;
+use crate::scene::QuantityName;
 use crate::sheet::Sheet;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -34,8 +36,12 @@ pub(super) struct Bench<'j> {
     numbered: BTreeSet<Thing>,
     /// Lines that are wrong themselves: where they cross says nothing of the crossing.
     pub wrong_lines: BTreeSet<String>,
+    /// The corners of force polygons, by their names.
+    pub corners: BTreeMap<String, Corner>,
+    /// Directions of forces, by the names of their lines.
+    pub force_lines: BTreeMap<String, ForceLine>,
     /// Things that hang on something wrong.
-    tainted: BTreeSet<Thing>,
+    pub tainted: BTreeSet<Thing>,
     /// The entries that have been judged.
     pub done: Vec<(usize, &'j Entry)>,
     pub causes: Causes<'j>,
@@ -70,8 +76,12 @@ impl<'j> Bench<'j> {
                 of.iter().for_each(|line| targets.entry(line.clone()).or_default().push(cross.clone()));
             }
         }
+        let starts = judge.given().polygons.iter().enumerate();
+        let corners = starts.map(|(polygon, own)| (own.start.clone(), Corner { polygon, forces: 0, is_back: false }));
         Bench {
             judge,
+            corners: corners.collect(),
+            force_lines: BTreeMap::new(),
             own: Table::new(judge.given(), scales),
             right: all.map(|given| Table::new(given, scales)).collect(),
             targets,
@@ -99,6 +109,28 @@ impl<'j> Bench<'j> {
             let meant = self.right_meaning(entry);
             let reads = reads(meant.as_ref().unwrap_or(entry), &self.own);
             let is_typed = is_typed(entry) || reads.iter().any(|read| self.typed.contains(read));
+            if let Some(plan) = self.on_plan(entry, &made, is_typed, &reads) {
+                let things = things(&made);
+                let is_unused = matches!(plan.found, Found::Own) && !things.iter().any(|thing| used.contains(thing));
+                let mut follows = reads.iter().any(|read| self.tainted.contains(read));
+                if let (Some(_), Entry::LayOff(laid)) = (plan.reversed, entry)
+                    && let Some((earlier, wrong)) = self.reversed(&laid.from)
+                {
+                    verdicts[earlier] = Verdict::Wrong(wrong);
+                    follows = true;
+                }
+                verdicts[index] = if is_unused { Verdict::Unused } else { plan.verdict(follows) };
+                if let (Verdict::Wrong(_), Made::Line(name, _)) = (&verdicts[index], &made) {
+                    self.wrong_lines.insert(name.clone());
+                }
+                if matches!(verdicts[index], Verdict::Wrong(_) | Verdict::Follows) {
+                    self.tainted.extend(things);
+                }
+                self.put_force(entry, &made, plan);
+                self.own.put(made);
+                self.done.push((index, entry));
+                continue;
+            }
             let mut found = self.found(entry, &made, is_typed);
             // A factor of 2 may be a rate that somebody typed.
             let may_be = has_numbers(entry) || reads.iter().any(|read| self.numbered.contains(read));
@@ -120,11 +152,22 @@ impl<'j> Bench<'j> {
             if matches!(verdicts[index], Verdict::Wrong(_) | Verdict::Follows) {
                 self.tainted.extend(things.iter().cloned());
             }
-            self.put_right(index, entry, &made, is_typed);
+            let is_wrong = matches!(verdicts[index], Verdict::Wrong(_));
+            self.put_right((index, is_wrong), entry, &made, is_typed);
             self.own.put(made);
             self.done.push((index, entry));
         }
         Ok(JudgedDrawing { verdicts })
+    }
+
+    /// What an entry on the sheet of forces comes to: where that is wrong, also with its numbers as somebody may have typed them.
+    fn on_plan(&self, entry: &Entry, made: &Made, is_typed: bool, reads: &[Thing]) -> Option<OnPlan> {
+        let plan = self.on_force_plan(entry, made, is_typed)?;
+        let may_be = has_numbers(entry) || reads.iter().any(|read| self.numbered.contains(read));
+        match plan.found {
+            Found::Wrong(_) if may_be && !is_typed => self.on_force_plan(entry, made, true),
+            _ => Some(plan),
+        }
     }
 
     /// Whether it uses something of the hand's own in which there are typed numbers.
@@ -133,7 +176,7 @@ impl<'j> Bench<'j> {
     }
 
     /// Puts the right things down in all scenes.
-    fn put_right(&mut self, index: usize, entry: &Entry, made: &Made, is_typed: bool) {
+    fn put_right(&mut self, (index, is_wrong): (usize, bool), entry: &Entry, made: &Made, is_typed: bool) {
         let meant = self.right_meaning(entry);
         let entry = meant.as_ref().unwrap_or(entry);
         let is_typed = is_typed || self.reads_typed(entry);
@@ -167,6 +210,9 @@ impl<'j> Bench<'j> {
                     let right = all.into_iter().map(|(name, number)| {
                         let asked = named.as_ref().unwrap_or(&name);
                         let right = table.given.number(asked).or_else(|| written_together(table.given, entry, &name));
+                        // What is written without a sign keeps the hand's; where it is wrong, that says nothing.
+                        let keeps_sign = is_size_of_force(asked) && (!is_wrong || matches!(entry, Entry::Measure(_)));
+                        let right = right.map(|right| if keeps_sign { right.abs().copysign(number) } else { right });
                         is_own |= right.is_none();
                         (name, right.unwrap_or(number))
                     });
@@ -217,7 +263,7 @@ impl<'j> Bench<'j> {
 
 /// Whether a quantity is a rate of rotation.
 pub(super) fn turns(name: &str) -> bool {
-    use crate::scene::{Head, QuantityName};
+    use crate::scene::Head;
     QuantityName::parse(name).is_some_and(|name| matches!(name.head, Head::Omega | Head::Alpha))
 }
 
@@ -234,6 +280,24 @@ fn is_typed(entry: &Entry) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether a quantity is a force of which a sheet shows the size alone: its sense is that of its arrow.
+pub(super) fn is_size_of_force(name: &str) -> bool {
+    use crate::scene::Head;
+    QuantityName::parse(name).is_some_and(|name| {
+        matches!(
+            name.head,
+            Head::Reaction
+                | Head::ReactionAlong
+                | Head::ReactionAcross
+                | Head::GuideForce
+                | Head::GuideOffset
+                | Head::Push
+                | Head::InertiaForce
+                | Head::Load
+        )
+    })
 }
 
 /// Whether a size or a number was typed in it.

@@ -10,10 +10,11 @@ use super::reads::reads;
 use super::says;
 use super::slips::Slip;
 use super::table::{Made, things};
-use crate::check::{Mistake, Told, tell};
+use crate::check::{Blank, Mistake, Told, tell};
 use crate::geometry::{Vector, unit};
 use crate::message::Message;
-use crate::sheet::Sheet;
+use crate::scene::{Head, QuantityName};
+use crate::sheet::{QuantityKind, Sheet};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Most names of a formula that is written out.
@@ -82,6 +83,7 @@ impl Bench<'_> {
             let told = |typed: Option<&Made>| self.causes.of(entry, made, &self.right, typed).map(|cause| cause.told);
             if is_typed { self.as_if_right(entry, true).iter().find_map(|typed| told(Some(typed))) } else { told(None) }
         };
+        let torque_sense = || self.reversed_drive(entry, made);
         match entry {
             Entry::Line(line) => {
                 let meant = self.meant(line);
@@ -97,17 +99,39 @@ impl Bench<'_> {
                 other => slip().or(other),
             },
             // In equations signs are wrong, too, which the catalogue takes for something else.
-            Entry::Solve(_) => slip(),
+            Entry::Solve(_) if !is_of_forces(entry) => slip(),
+            Entry::Measure(measure) if self.missing_where_measured(measure).is_some() => {
+                self.missing_where_measured(measure)
+            }
             Entry::Measure(Measure { read: Some(read), .. }) => slip()
                 .or_else(|| self.misreading(entry, *read))
                 .or_else(|| of(entry))
                 .or_else(|| self.between_others(entry)),
             Entry::Measure(_) => slip().or_else(|| of(entry)).or_else(|| self.between_others(entry)),
             Entry::Compute(Compute { compute, by: None, value: Some(value), .. }) => {
-                self.mistyped(compute, *value).or_else(slip).or_else(|| of(entry))
+                let told = self.mistyped(compute, *value).or_else(torque_sense);
+                told.or_else(slip).or_else(|| of(entry))
+            }
+            // A sum of moments has mistakes of its own.
+            _ if is_of_forces(entry) => {
+                let told = torque_sense().or_else(|| of(entry));
+                told.or_else(|| self.slip_of_moments(entry, made))
+                    .or_else(|| slip().map(|told| self.as_arm(entry, told)))
             }
             _ => slip().or_else(|| of(entry)),
         }
+    }
+
+    /// What a drive needs, with the sense of what it works against.
+    fn reversed_drive(&self, entry: &Entry, made: &Made) -> Option<Told> {
+        let (Ok(Made::Numbers(found)), Made::Numbers(_)) = (self.right[0].carried_out_again(entry), made) else {
+            return None;
+        };
+        let (name, found) = found.first()?;
+        let is_drive = QuantityName::parse(name).is_some_and(|name| matches!(name.head, Head::Torque | Head::Push));
+        let right = self.judge.given().number(name).filter(|_| is_drive)?;
+        let is_turned = (found + right).abs() <= 0.012 * right.abs();
+        is_turned.then(|| tell::torque_sense(Blank::Quantity(name.clone())))
     }
 
     /// A ray at the angle of a link's triangle that was laid off to the wrong side.
@@ -145,7 +169,7 @@ impl Bench<'_> {
     fn slip(&self, entry: &Entry, right: Made, is_typed: bool) -> Option<Told> {
         let table = &self.right[0];
         let tolerance = if is_typed || has_numbers(entry) { 0.012 } else { 1e-6 };
-        let (whole, measured) = (self.written_out(entry), self.measured());
+        let (whole, measured) = (self.written_out(entry), self.measured(is_of_forces(entry)));
         let told = |alone: &Made| {
             Slip { table, entry: &whole, alone, right: right.clone(), tolerance, measured: measured.clone() }.told()
         };
@@ -153,12 +177,13 @@ impl Bench<'_> {
     }
 
     /// What the hand's own names of measured segments and lengths mean.
-    fn measured(&self) -> BTreeMap<String, (Sheet, [String; 2])> {
+    fn measured(&self, is_of_forces: bool) -> BTreeMap<String, (Sheet, [String; 2])> {
         let own = self.done.iter().filter_map(|(_, entry)| match entry {
             Entry::Measure(measure) if super::reads::segment_of(&measure.measure).is_none() => {
                 let (sheet, ends) = (self.measured_on(measure)?, [measure.from.clone(), measure.to.clone()]);
                 // What lies at a point of the hand's own is as right as that.
-                let have_meaning = ends.iter().all(|end| self.judge.given().place(sheet, end).is_some());
+                let have_meaning =
+                    is_of_forces || ends.iter().all(|end| self.judge.given().place(sheet, end).is_some());
                 have_meaning.then(|| (measure.measure.clone(), (sheet, ends)))
             }
             _ => None,
@@ -303,7 +328,10 @@ impl Bench<'_> {
         let mut all = all.copied().filter(|_| hangs_on.len() <= MOST_CHAINED);
         let found = all.find_map(|suspect| mended(suspect).map(|right| (suspect, right)));
         found.or_else(|| {
-            let is_number = !matches!(entry, Entry::Line(_) | Entry::Join(_)) && self.has_right_direction(entry, made);
+            // Of a sum of moments, with so many arms, the first is no more suspect than the others.
+            let is_number = !matches!(entry, Entry::Line(_) | Entry::Join(_))
+                && !is_of_forces(entry)
+                && self.has_right_direction(entry, made);
             suspects.first().filter(|_| is_number).map(|first| (*first, Vec::new()))
         })
     }
@@ -375,6 +403,18 @@ impl Bench<'_> {
         let Ok(Made::Place(_, _, end)) = right.carry_out(entry) else { return true };
         let directions = ends.and_then(|(end_right, start)| Some((unit(end_right - start)?, unit(end - start)?)));
         directions.is_none_or(|(a, b)| crate::geometry::cross(a, b).abs() < 1e-6)
+    }
+}
+
+/// Whether an entry finds a force or a moment.
+fn is_of_forces(entry: &Entry) -> bool {
+    let is_one = |name: &str| {
+        QuantityName::parse(name).is_some_and(|name| matches!(name.kind(), QuantityKind::Force | QuantityKind::Moment))
+    };
+    match entry {
+        Entry::Compute(Compute { compute, .. }) => is_one(compute),
+        Entry::Solve(solve) => solve.solve.iter().any(|name| is_one(name)),
+        _ => false,
     }
 }
 

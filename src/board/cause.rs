@@ -200,6 +200,16 @@ impl Seen<'_, '_> {
     fn likeness(&self, touched: &Touched, replayed: &Replayed<'_>) -> f64 {
         let given = self.table.given;
         let is_same = match (self.alone, touched) {
+            // Polygons may be drawn in another order, and begin elsewhere: of a vector its size and direction count.
+            (Made::Place(Sheet::Forces, _, at), Touched::Place { at: other, start, right, right_start, .. }) => {
+                let vectors = self.start.zip(*start).map(|(own, other_start)| [at - own, other - other_start]);
+                let is_moved = start.is_some_and(|start| {
+                    (other - start - (right - right_start)).norm() > 1e-9 * given.size(Sheet::Forces)
+                });
+                vectors.is_some_and(|[own, other]| {
+                    is_moved && (own - other).norm() <= self.tolerance.max(1e-6) * own.norm().max(other.norm())
+                })
+            }
             (Made::Line(_, line), Touched::Line(sheet, at, along)) => {
                 let small = self.tolerance * given.size(line.sheet);
                 *sheet == line.sheet

@@ -241,17 +241,26 @@ pub(super) fn needed(given: &Given, did: &[Entry], table: &Table<'_>) -> Vec<boo
             Some((made, reads))
         })
         .collect();
+    let is_of_polygons = !given.polygons.is_empty();
     let mut open = Vec::new();
     let mut needed = vec![false; did.len()];
+    let closed = closed_polygons(given, did, table);
     for (index, step) in made.iter().enumerate().rev() {
         let Some((made, reads)) = step else { continue };
+        if is_in_one(made, did, index, &closed) {
+            continue;
+        }
         let is_wanted = match made {
             Made::Place(sheet, name, _) => {
-                *sheet != Sheet::Centers
+                !(matches!(sheet, Sheet::Centers | Sheet::Forces) || is_of_polygons && *sheet == Sheet::Scheme)
                     || LinkPair::named(name, given.mechanism()).is_some_and(|pair| is_asked(given, pair))
             }
-            Made::Line(_, line) => line.sheet != Sheet::Centers,
-            Made::Numbers(all) => all.iter().any(|(name, _)| !is_distance(name)),
+            Made::Line(_, line) => {
+                !(matches!(line.sheet, Sheet::Centers | Sheet::Forces) || is_of_polygons && line.sheet == Sheet::Scheme)
+            }
+            Made::Numbers(all) => {
+                all.iter().any(|(name, _)| !is_distance(name) && (!is_of_polygons || given.number(name).is_some()))
+            }
         };
         let things = super::table::things(made);
         let is_there = match made {
@@ -265,6 +274,47 @@ pub(super) fn needed(given: &Given, did: &[Entry], table: &Table<'_>) -> Vec<boo
         }
     }
     needed
+}
+
+/// The polygons, by the ends of their corners' names, whose closing forces a hand has found, whatever order it has drawn them in.
+fn closed_polygons(given: &Given, did: &[Entry], table: &Table<'_>) -> Vec<String> {
+    let measured = |start: &str| {
+        let own = start.trim_start_matches('o').to_owned();
+        let names = did.iter().filter_map(move |entry| match entry {
+            Entry::Measure(measure) if measure.on == Some(Sheet::Forces) && polygon_of(&measure.to) == own => {
+                Some(measure.measure.as_str())
+            }
+            _ => None,
+        });
+        names.collect::<Vec<_>>()
+    };
+    let is_side = |name: &&str| {
+        QuantityName::parse(name)
+            .is_some_and(|name| matches!(name.head, Head::ReactionAlong | Head::GuideForce | Head::Push))
+    };
+    let is_closed = |start: &str| {
+        let all = measured(start);
+        let sides: Vec<&str> = all.iter().copied().filter(is_side).collect();
+        let wanted = if sides.is_empty() { all } else { sides };
+        !wanted.is_empty() && wanted.iter().all(|name| is_found(table, name))
+    };
+    let starts = given.polygons.iter().map(|polygon| polygon.start.as_str());
+    starts.filter(|start| is_closed(start)).map(|start| polygon_of(start).to_owned()).collect()
+}
+
+/// The number at the end of a corner's name.
+fn polygon_of(corner: &str) -> &str {
+    corner.trim_start_matches(|letter: char| !letter.is_ascii_digit())
+}
+
+/// Whether an entry of the own construction draws one of these polygons.
+fn is_in_one(made: &Made, did: &[Entry], index: usize, polygons: &[String]) -> bool {
+    let corner = match (made, &did[index]) {
+        (Made::Place(Sheet::Forces, name, _), _) => Some(name),
+        (Made::Line(_, line), Entry::Line(drawn)) if line.sheet == Sheet::Forces => drawn.through.as_ref(),
+        _ => None,
+    };
+    corner.is_some_and(|corner| polygons.iter().any(|polygon| polygon == polygon_of(corner)))
 }
 
 /// Whether a hand has found a number; the size of a vector also by the vector's name.

@@ -379,7 +379,9 @@ fn on<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Sheet>, D::Er
         return Ok(None);
     };
     let known = Sheet::from_word(&word);
-    known.map(Some).ok_or_else(|| D::Error::custom(r#"a sheet is "scheme", "velocity", "acceleration" or "centers""#))
+    known
+        .map(Some)
+        .ok_or_else(|| D::Error::custom(r#"a sheet is "scheme", "velocity", "acceleration", "centers" or "forces""#))
 }
 
 fn sheet(_: &mut SchemaGenerator) -> Schema {

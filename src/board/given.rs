@@ -1,5 +1,6 @@
 //! What is known before the hand begins, and what every name means in the end: the solved scene, with all points in its plans.
 
+use super::polygons::{GivenPolygon, direction_of_load, load_places, polygons};
 use super::reads::is_center;
 use super::says;
 use crate::centers::LinkPair;
@@ -7,10 +8,11 @@ use crate::construction::Rate;
 use crate::construction::{
     Center, Construction, Extent, PointRole, Solution, asked_construction, coincident_name, image_name,
 };
+use crate::forces::Source;
 use crate::geometry::{Point, Vector, span, unit};
 use crate::mechanism::{BodyId, Mechanism, Role};
 use crate::message::Message;
-use crate::quantity::{Quantity, QuantityRequest, What};
+use crate::quantity::{ForceOf, Quantity, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{PerSheet, Sheet};
 use indexmap::IndexMap;
@@ -24,6 +26,10 @@ pub struct Given {
     places: IndexMap<(Sheet, String), Vector>,
     /// The names of points that are there before anything is drawn: joints on the scheme, on plans the pole under all its names, on the figure of instant centres joints and permanent centres.
     there: Vec<(Sheet, String)>,
+    /// The force polygons, where a hand draws them.
+    pub(super) polygons: Vec<GivenPolygon>,
+    /// By load: the name of the place on the scheme at which its force acts.
+    pub(super) load_places: Vec<String>,
     /// The largest distance from the origin, by sheet.
     sizes: PerSheet<f64>,
 }
@@ -69,11 +75,31 @@ impl Given {
             there.extend(is_there.then(|| key.clone()));
             places.insert(key, place);
         }
+        let polygons = polygons(&solution);
+        if let Some(plan) = construction.forces.as_deref().filter(|_| !polygons.is_empty()) {
+            for polygon in &polygons {
+                let key = (Sheet::Forces, polygon.start.clone());
+                there.push(key.clone());
+                places.insert(key, plan.corner(&polygon.start).map_or_else(Vector::zeros, |corner| corner.at));
+            }
+        }
+        let named = if polygons.is_empty() { Vec::new() } else { load_places(construction, mechanism, &pose.points) };
+        for (name, place, _) in named.iter().filter(|(.., is_own)| *is_own) {
+            let key = (Sheet::Scheme, name.clone());
+            if !places.contains_key(&key) {
+                there.push(key.clone());
+                places.insert(key, place - construction.origin);
+            }
+        }
+        let load_places = named.into_iter().map(|(name, ..)| name).collect();
         let mut sizes = PerSheet::from_fn(|_| 0.0_f64);
         for ((sheet, _), place) in &places {
             sizes[*sheet] = sizes[*sheet].max(place.norm());
         }
-        Given { solution, places, there, sizes }
+        // The polygons are as large as their forces.
+        let of_forces = polygons.iter().map(GivenPolygon::size).fold(0.0, f64::max);
+        sizes[Sheet::Forces] = sizes[Sheet::Forces].max(of_forces);
+        Given { solution, places, there, polygons, load_places, sizes }
     }
 
     /// The mechanism.
@@ -146,6 +172,11 @@ impl Given {
         self.there.iter().map(|key| (key.0, key.1.as_str(), self.places[key]))
     }
 
+    /// Whether there is a sheet to draw on: one that has a point from the start.
+    pub(super) fn has_sheet(&self, sheet: Sheet) -> bool {
+        self.there.iter().any(|(own, _)| *own == sheet)
+    }
+
     /// Whether a point of this name is there before anything is drawn.
     pub(super) fn is_there(&self, name: &str) -> bool {
         self.there.iter().any(|(_, own)| own == name)
@@ -161,6 +192,10 @@ impl Given {
     #[must_use]
     pub fn number(&self, name: &str) -> Option<f64> {
         let Solution { mechanism, construction, .. } = &self.solution;
+        // Corners of polygons are the hand's own.
+        if QuantityName::parse(name).is_some_and(|name| name.head == Head::Between(Sheet::Forces)) {
+            return self.segment(name);
+        }
         let name = self.with_usual_centers(&with_usual_poles(name));
         let asked = QuantityRequest::new(&name, mechanism).ok()?;
         let value = asked.value(&self.solution.snapshot(), Some(construction), None).ok();
@@ -199,6 +234,8 @@ impl Given {
             What::Rate(Rate::Angular(_, link)) => mechanism.is_known(*link),
             What::Rate(Rate::Slide(_, slider)) => mechanism.slider(*slider).drive.is_some(),
             What::Angle(_) | What::SlidePosition(_) | What::Coordinate(..) => true,
+            // Where accelerations are drawn, inertia follows from them.
+            What::Force(force, _) => self.is_given_load(force),
             What::Motion(_, crate::quantity::Spot::Point(_, point, _), None) => {
                 // The scene gives the vector itself.
                 mechanism.bodies.iter().any(|body| {
@@ -208,6 +245,16 @@ impl Given {
             _ => false,
         };
         is_given.then(|| self.number(name)).flatten()
+    }
+
+    /// Whether a force is a load that is known with nothing drawn.
+    fn is_given_load(&self, force: &ForceOf) -> bool {
+        let is_inertia = match force {
+            ForceOf::Load(load) => load.source == Source::Inertia,
+            ForceOf::InertiaForce(_) | ForceOf::InertiaCouple(_) => true,
+            _ => return false,
+        };
+        !is_inertia || !self.construction().by_hand.contains(&Sheet::Acceleration)
     }
 
     /// The names of the rates that are always equal to this one, as those of a block to its lever's.
@@ -223,6 +270,12 @@ impl Given {
         let Solution { mechanism, pose, scene, .. } = &self.solution;
         if let Some(id) = mechanism.slider_ids().find(|&id| mechanism.slider_name(id) == name) {
             return Some(Ok(pose.guide(id)));
+        }
+        if let Some(along) = QuantityRequest::new(name, mechanism)
+            .ok()
+            .and_then(|asked| direction_of_load(&self.solution.construction, &asked))
+        {
+            return Some(Ok(along));
         }
         let body = mechanism.link(name)?;
         let listed = scene.links.get(name).map_or(&[][..], |link| link.points.as_slice());

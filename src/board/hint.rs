@@ -1,7 +1,7 @@
 //! Hints by stages: where, what, and what would be drawn.
 
 use super::centers::{is_found, needed};
-use super::file::{Entry, HandDrawing};
+use super::file::{Entry, HandDrawing, Measure};
 use super::judge::{JudgedDrawing, Verdict};
 use super::says;
 use super::screen::{Screen, across, path};
@@ -75,17 +75,37 @@ impl Screen {
         let own = self.own()?;
         // The own construction goes on with the hand's own things where they are there.
         let mut ahead = table.clone();
-        let has_centers = given.construction().centers.is_some();
-        let needed = if has_centers { needed(given, &own.did, table) } else { vec![true; own.did.len()] };
+        let has_ways = given.construction().centers.is_some() || !given.polygons.is_empty();
+        let needed = if has_ways { needed(given, &own.did, table) } else { vec![true; own.did.len()] };
+        let (by_itself, _) = self.judge.drawn(own);
         for (index, entry) in own.did.iter().enumerate() {
             let is_line = matches!(entry, Entry::Line(_) | Entry::Join(_));
             let Ok(made) = ahead.carry_out(entry) else {
-                continue;
+                // Where the hand's polygons have other corners, numbers are found from these.
+                let names = entry.made();
+                let is_missing = needed[index] && names.iter().all(|name| given.number(name).is_some());
+                let found = names.iter().map(|name| Some(((*name).to_owned(), by_itself.known(name)?)));
+                match found.collect::<Option<Vec<_>>>() {
+                    Some(found) if is_missing && !given.polygons.is_empty() => {
+                        return Some((entry.clone(), Made::Numbers(found)));
+                    }
+                    _ => continue,
+                }
             };
             let is_there = match &made {
+                // A corner of a polygon has whatever name the hand has given it.
+                Made::Place(Sheet::Forces, _, at) => {
+                    let near = 0.02 * given.size(Sheet::Forces);
+                    let is_there = table.places(Sheet::Forces).any(|(_, own)| (own - at).norm() <= near);
+                    if is_there {
+                        ahead.put(made.clone());
+                    }
+                    is_there
+                }
                 Made::Place(sheet, name, _) => table.place(*sheet, name).is_some(),
                 Made::Numbers(all) => {
-                    let is_measured = matches!(entry, Entry::Measure(_));
+                    let is_of_forces = matches!(entry, Entry::Measure(Measure { on: Some(Sheet::Forces), .. }));
+                    let is_measured = matches!(entry, Entry::Measure(_)) && !is_of_forces;
                     is_measured || all.iter().all(|(name, _)| is_found(table, name))
                 }
                 Made::Line(name, line) => {

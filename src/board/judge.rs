@@ -5,7 +5,7 @@ use super::given::Given;
 use super::others::others;
 use super::says;
 use super::table::{Made, Table};
-use crate::check::{AnswerKey, PaperPoints, Told};
+use crate::check::{AnswerKey, Told};
 use crate::construction::Tolerance;
 use crate::drawing::HandPaper;
 use crate::message::Message;
@@ -120,7 +120,7 @@ impl Judge {
     pub fn read(&self, text: &str) -> Result<HandDrawing, SceneError> {
         let drawing = HandDrawing::read(text)?;
         let solution = &self.given.solution;
-        let is_there = |sheet: Sheet| sheet == Sheet::Scheme || PaperPoints::of(solution, sheet).is_some();
+        let is_there = |sheet: Sheet| sheet == Sheet::Scheme || self.given.has_sheet(sheet);
         let is_too_large =
             |(sheet, mu): &(Sheet, f64)| is_there(*sheet) && HandPaper::of(solution, *sheet, *mu, []).is_none();
         let too_large = drawing.mu.given().find(is_too_large);

@@ -6,8 +6,9 @@ use super::screen::Screen;
 use super::shown::{BoardNumber, FreeNames};
 use super::table::Table;
 use crate::drawing::{RichText, SheetLabels};
+use crate::forces::Source;
 use crate::format::html_text;
-use crate::quantity::QuantityRequest;
+use crate::quantity::{LoadOf, QuantityRequest};
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
 use std::collections::BTreeMap;
@@ -72,6 +73,12 @@ impl Numbers<'_> {
         }
         for id in mechanism.slider_ids().filter(|id| mechanism.slider(*id).drive.is_some()) {
             names.extend(["v_r", "a_r"].map(|head| format!("{head}({})", mechanism.slider_name(id))));
+        }
+        let loads = given.construction().forces.iter().flat_map(|plan| &plan.loads);
+        for load in loads.filter(|_| !given.polygons.is_empty()) {
+            names.push(format!("load({})", LoadOf { source: load.source, body: load.body }.name(mechanism)));
+            let is_inertia = load.source == Source::Inertia;
+            names.extend(is_inertia.then(|| format!("M_i({})", mechanism.body(load.body).name)));
         }
         for body in &mechanism.bodies {
             let points: Vec<&str> = body.points.iter().map(|point| mechanism.point_name(*point)).collect();

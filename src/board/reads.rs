@@ -62,8 +62,12 @@ impl Reads<'_, '_> {
     fn reference(&mut self, on: Option<Sheet>, name: &str) {
         match two_points(name) {
             Some([from, to]) => {
-                let on_scheme = [from, to].iter().all(|p| self.table.place(Sheet::Scheme, p).is_some());
-                let on = if on_scheme { Some(Sheet::Scheme) } else { on };
+                let has = |sheet: Sheet| [from, to].iter().all(|p| self.table.place(sheet, p).is_some());
+                let on = match on {
+                    _ if has(Sheet::Scheme) => Some(Sheet::Scheme),
+                    Some(on) if !has(on) && has(Sheet::Forces) => Some(Sheet::Forces),
+                    on => on,
+                };
                 [from, to].into_iter().for_each(|point| self.point(on, point));
             }
             None => self.name(name),

@@ -114,6 +114,10 @@ impl Bench<'_> {
             all.extend([sliding, change, coriolis.map(|size| size.map(|size| 2.0 * size))].into_iter().flatten());
             all.extend(coriolis.filter(|_| wrongly));
         }
+        // Forces that the hand has found itself.
+        for (name, own) in self.own.numbers().filter(|(name, _)| super::bench::is_size_of_force(name)) {
+            all.extend(self.right[0].known(name).map(|right| [own, right]));
+        }
         for sheet in Sheet::ALL {
             let names: Vec<&str> = given.places(sheet).map(|(name, _)| name).collect();
             for (at, from) in names.iter().enumerate() {

@@ -30,6 +30,9 @@ messages! { "board":
     line_misses(point);
     lines_of_others(point);
     point_elsewhere(point);
+    no_force_of_polygon(point);
+    no_direction_of_force(line);
+    polygon_not_closed(point);
     number_wrong(name);
     equation_wrong(number);
     leads_wrong(name);
@@ -56,6 +59,7 @@ messages! { "board":
     angle(degrees);
     link(name);
     guide(name);
+    load(name);
     drawn_line(name);
     ccw;
     cw;

@@ -3,13 +3,11 @@
 
 use super::file::{Entry, HandDrawing, LayOff, Snap};
 use super::free_hand::FREE;
-use super::given::Given;
 use super::judge::{BoardError, Judge, JudgedDrawing, Verdict};
 use super::reads::reads;
 use super::shown::{Board, BoardEntry, BoardName, BoardRefused, BoardSheet, BoardThing, NUMBERS, NameKind, ThingKind};
 use super::table::{DrawnLine, Made, Table, things};
 use super::writes::own_drawing;
-use crate::check::PaperPoints;
 use crate::construction::Rate;
 use crate::drawing::{
     Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, RichText, SheetLabels, hand_sheet,
@@ -18,10 +16,11 @@ use crate::drawing::{
 use crate::format::html_text;
 use crate::geometry::{Vector, cross};
 use crate::mechanism::{GROUND, Mechanism};
-use crate::quantity::{QuantityRequest, Spot, What, readable_names};
+use crate::quantity::{LoadOf, QuantityRequest, Spot, What, readable_names, step_names};
 use crate::scene::QuantityName;
 use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::words::{Medium, Wording};
+use indexmap::IndexSet;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 
@@ -74,8 +73,8 @@ impl Screen {
     }
 
     fn shows(&self, sheet: Sheet) -> bool {
-        let Given { solution, .. } = self.judge.given();
-        let is_drawn = || solution.construction.by_hand.contains(&sheet) && PaperPoints::of(solution, sheet).is_some();
+        let given = self.judge.given();
+        let is_drawn = || given.construction().by_hand.contains(&sheet) && given.has_sheet(sheet);
         sheet == Sheet::Scheme || is_drawn()
     }
 
@@ -247,6 +246,14 @@ impl Screen {
             }
         }
         let half = 0.12 * given.size(Sheet::Scheme);
+        let loads = given.construction().forces.iter().flat_map(|plan| &plan.loads).zip(&given.load_places);
+        for (load, at) in loads {
+            let name = format!("load({})", LoadOf { source: load.source, body: load.body }.name(mechanism));
+            if let (Some(Ok(along)), Some(at)) = (given.direction(&name), place(at)) {
+                let words = super::says::load(&name);
+                all.push(Reference { name, kind: ThingKind::Guide, words, ends: [at - along * half, at] });
+            }
+        }
         for id in mechanism.slider_ids() {
             let name = mechanism.slider_name(id);
             let at = place(mechanism.point_name(mechanism.slider(id).at));
@@ -293,7 +300,14 @@ impl Screen {
             }
         }
         let made: Vec<&str> = table.numbers().map(|(name, _)| name).collect();
-        for name in readable_names(&given.solution) {
+        // Where forces are drawn without plans, nobody asks for velocities.
+        let construction = given.construction();
+        let mut found = if given.polygons.is_empty() { Vec::new() } else { step_names(construction) };
+        if given.polygons.is_empty() || construction.draws_plans() {
+            found.extend(readable_names(&given.solution));
+        }
+        let found: IndexSet<String> = found.into_iter().collect();
+        for name in found {
             let name = name.trim_end_matches(".size").to_owned();
             let Some(quantity) = QuantityName::parse(&name) else { continue };
             if quantity.component.is_some() || given.given_number(&name).is_some() {

@@ -231,14 +231,20 @@ impl<'g> Table<'g> {
         self.place(sheet, name).ok_or_else(|| says::no_point(name))
     }
 
+    /// The sheet on which two points give a direction to another one: the scheme, else the one that is drawn on, else that of forces, whose
+    /// lines of action are drawn on the scheme.
+    pub(super) fn sheet_of_reference(&self, drawn_on: Sheet, points: [&str; 2]) -> Sheet {
+        let has_both = |sheet: &Sheet| points.iter().all(|point| self.place(*sheet, point).is_some());
+        [Sheet::Scheme, drawn_on, Sheet::Forces].into_iter().find(has_both).unwrap_or(drawn_on)
+    }
+
     /// The direction that a line, two points, a link or a guide give on a sheet.
     fn reference(&self, sheet: Sheet, name: &str) -> Result<Vector, Message> {
         if let Some(line) = self.lines.get(name) {
             return Ok(line.along);
         }
         if let Some([from, to]) = two_points(name) {
-            let on_scheme = [from, to].iter().all(|p| self.place(Sheet::Scheme, p).is_some());
-            let on = if on_scheme { Sheet::Scheme } else { sheet };
+            let on = self.sheet_of_reference(sheet, [from, to]);
             let between = self.point(on, to)? - self.point(on, from)?;
             return unit(between).ok_or_else(|| says::no_direction(name));
         }

@@ -1,11 +1,15 @@
 //! Kinegon's own construction as a drawing: for demonstrations, and as the key of an exercise.
 
+use super::bench::is_size_of_force;
 use super::given::Given;
 use crate::construction::{
-    Along, Construction, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole, PlaceId,
-    Product, Reference,
+    Along, Construction, LineId, LoadShown, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole,
+    PlaceId, Product, Reference,
 };
+use crate::forces::Source;
+use crate::geometry::{Vector, unit};
 use crate::mechanism::Mechanism;
+use crate::quantity::LoadOf;
 use crate::sheet::{PerSheet, Scales, Sheet};
 use indexmap::{IndexMap, IndexSet};
 use serde_json::{Map, Value as Json, json};
@@ -31,6 +35,7 @@ pub fn own_drawing(given: &Given, scales: &Scales) -> String {
 }
 
 struct Writer<'g> {
+    given: &'g Given,
     construction: &'g Construction,
     mechanism: &'g Mechanism,
     values: crate::construction::Values,
@@ -42,21 +47,30 @@ struct Writer<'g> {
     crossed: IndexSet<LineId>,
     /// By number: how a formula writes it.
     numbers: IndexMap<NumberId, String>,
-    /// Names of numbers that have been given.
-    named: IndexSet<String>,
+    /// Names of numbers that have been given, with the values that the drawing has of them.
+    named: IndexMap<String, f64>,
     did: Vec<Json>,
+    /// How many points and measured numbers have names of their own.
     own: usize,
+    measured: usize,
 }
 
 impl<'g> Writer<'g> {
     fn new(given: &'g Given) -> Writer<'g> {
         let construction = given.construction();
         let mut places = IndexMap::new();
+        let of_load = |role: &OperationRole| match role {
+            OperationRole::Load(load) => given.load_places.get(*load).cloned(),
+            _ => None,
+        };
         for (sheet, name, place) in construction.named_places() {
             places.entry(place).or_insert((sheet, name.to_owned()));
         }
         let mut crossed = IndexSet::new();
         for operation in &construction.operations {
+            if let (Some(place), Some(name)) = (operation.kind.place(), of_load(&operation.role)) {
+                places.entry(place).or_insert((Sheet::Scheme, name));
+            }
             if let OperationKind::Cross { lines, .. } = operation.kind {
                 crossed.extend(lines);
             }
@@ -69,9 +83,11 @@ impl<'g> Writer<'g> {
             lines: IndexMap::new(),
             crossed,
             numbers: IndexMap::new(),
-            named: IndexSet::new(),
+            named: IndexMap::new(),
+            given,
             did: Vec::new(),
             own: 0,
+            measured: 0,
         }
     }
 
@@ -137,7 +153,10 @@ impl<'g> Writer<'g> {
                     })
                     .collect();
                 self.did.push(json!({ "solve": names, "equations": equations }));
-                unknowns.iter().zip(&names).for_each(|(number, name)| drop(self.numbers.insert(*number, name.clone())));
+                for (number, name) in unknowns.iter().zip(&names) {
+                    self.numbers.insert(*number, name.clone());
+                    self.named.insert(name.clone(), self.values.number(*number));
+                }
             }
         }
     }
@@ -195,11 +214,40 @@ impl<'g> Writer<'g> {
                 json!({ "turned": [reference(from), reference(to)], "base": reference(base) })
             }
             Reference::Given(direction) => {
+                if let Some(load) = self.load_along(*direction) {
+                    let along = if turns.is_multiple_of(2) { "parallel" } else { "normal" };
+                    return (json!({ along: load }), sign);
+                }
                 let degrees = crate::geometry::degrees_of(*direction) + 90.0 * f64::from(turns % 2);
                 json!({ "angle": degrees })
             }
         };
         (json, sign)
+    }
+
+    /// The name of a load whose force has a direction.
+    fn load_along(&self, direction: Vector) -> Option<String> {
+        let plan = self.construction.forces.as_deref()?;
+        let is_it = |force: &Vector| unit(*force).is_some_and(|along| (along - direction).norm() <= 1e-12);
+        let load = plan.loads.iter().find(|load| is_it(&load.force))?;
+        Some(self.load_name(load))
+    }
+
+    /// The name of a load's force.
+    fn load_name(&self, load: &LoadShown) -> String {
+        format!("load({})", LoadOf { source: load.source, body: load.body }.name(self.mechanism))
+    }
+
+    /// How a load's size, or the couple of a link's inertia, is written; a couple that somebody has stated is its number.
+    fn load_number(&self, number: NumberId) -> Option<String> {
+        let plan = self.construction.forces.as_deref()?;
+        let index = plan.numbers.loads.iter().position(|own| own.contains(&Some(number)))?;
+        let load = plan.loads.get(index)?;
+        if plan.numbers.loads[index][0] == Some(number) {
+            return Some(self.load_name(load));
+        }
+        let is_inertia = load.source == Source::Inertia;
+        is_inertia.then(|| format!("M_i({})", self.mechanism.body(load.body).name))
     }
 
     fn measure(&mut self, sheet: Sheet, number: NumberId, ends: [PlaceId; 2], how: MeasuredAs, in_step: bool) {
@@ -209,19 +257,52 @@ impl<'g> Writer<'g> {
         {
             return;
         }
-        let name = self.construction.number_name(self.mechanism, number);
-        if in_step && self.named.insert(name.clone()) {
-            let [from, to] = ends.map(|end| self.place(sheet, end));
+        let mut name = self.construction.number_name(self.mechanism, number);
+        if name.is_empty() {
+            self.measured += 1;
+            name = format!("m{}", self.measured);
+        }
+        let value = self.values.number(number);
+        // The force in a joint is needed even where a side of the polygon is all of it, which no step joins.
+        let is_force = self.construction.numbers[number.0] == NumberKind::Force;
+        if (in_step || is_force) && !self.named.contains_key(&name) {
+            let ends = match how {
+                MeasuredAs::Along(line) if sheet == Sheet::Forces => self.along(line, ends, value),
+                _ => ends.map(|end| self.place(sheet, end)),
+            };
+            // A distance has no sign; one along a line has.
+            self.named.insert(name.clone(), value.abs());
+            let [from, to] = ends;
             self.did.push(json!({ "measure": name, "on": sheet.as_str(), "from": from, "to": to }));
         }
-        // A distance has no sign; one along a line has.
-        let written = if self.values.number(number) < 0.0 { format!("(-{name})") } else { name };
+        let is_turned = self.named.get(&name).map_or(value < 0.0, |known| known.is_sign_negative() != (value < 0.0));
+        let written = if is_turned { format!("(-{name})") } else { name };
         self.numbers.insert(number, written);
+    }
+
+    /// The ends of the part of a force along a line, which is drawn with the part across where the force has both.
+    fn along(&mut self, line: LineId, ends: [PlaceId; 2], value: f64) -> [String; 2] {
+        let force = self.values.place(ends[1]) - self.values.place(ends[0]);
+        let [from, to] = ends.map(|end| self.place(Sheet::Forces, end));
+        if (force.norm() - value.abs()).abs() <= 1e-9 * force.norm() {
+            return [from, to];
+        }
+        let reference = self.lines.get(&line).map_or_else(String::new, |(reference, _)| reference.clone());
+        self.own += 1;
+        let corner = format!("h{}", self.own);
+        let drawn = [(&from, "normal", "across"), (&to, "parallel", "along")].map(|(through, how, word)| {
+            let name = format!("{word}{}", self.own);
+            self.did.push(json!({ "line": name, "on": "forces", "through": through, "along": { how: reference } }));
+            name
+        });
+        self.did.push(json!({ "cross": corner, "of": drawn }));
+        [corner, to]
     }
 
     fn take(&mut self, number: NumberId, value: f64) {
         let name = self.construction.number_name(self.mechanism, number);
-        let written = if name.is_empty() { written(value) } else { name };
+        let of_load = || self.load_number(number);
+        let written = if name.is_empty() { of_load().unwrap_or_else(|| written(value)) } else { name };
         self.numbers.insert(number, written);
     }
 
@@ -229,10 +310,16 @@ impl<'g> Writer<'g> {
         let formula = self.sum(sum);
         let name = self.construction.number_name(self.mechanism, number);
         if name.is_empty() {
-            self.numbers.insert(number, formula);
+            // Other sums take a moment away.
+            let is_moment = self.construction.numbers[number.0] == NumberKind::Moment;
+            self.numbers.insert(number, if is_moment && sum.len() > 1 { format!("({formula})") } else { formula });
         } else {
+            // A couple that a guide gives the link that carries it is that on the slider, reversed.
+            let value = self.values.number(number);
+            let is_turned = !is_size_of_force(&name) && self.given.number(&name).is_some_and(|own| own * value < 0.0);
+            let formula = if is_turned { negative(&formula) } else { formula };
             self.did.push(json!({ "compute": name, "as": formula }));
-            self.numbers.insert(number, name);
+            self.numbers.insert(number, if is_turned { format!("(-{name})") } else { name });
         }
     }
 

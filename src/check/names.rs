@@ -67,6 +67,11 @@ fn between(name: &str) -> Option<(QuantityName, Sheet)> {
     }
 }
 
+/// Whether a name asks for what lies between corners of a force polygon, which no step finds by that name.
+fn is_of_corners(name: &str) -> bool {
+    QuantityName::parse(name).is_some_and(|name| name.head == Head::Between(Sheet::Forces))
+}
+
 fn rows(construction: &Construction) -> Vec<FormRow> {
     let mut rows: Vec<FormRow> = Vec::new();
     for step in construction.steps_by_hand() {
@@ -119,6 +124,12 @@ impl<'a> Names<'a> {
         if let Some(form) = &solution.scene.form {
             let asked = form.iter().map(|(name, marks)| (names.row_of(&names.usual(name)).to_owned(), *marks));
             let asked: IndexMap<String, f64> = asked.collect();
+            names.rows.extend(asked.keys().filter(|name| is_of_corners(name)).map(|name| FormRow {
+                name: name.clone(),
+                segment: None,
+                is_measured: true,
+                worth: None,
+            }));
             names.rows.iter_mut().for_each(|row| row.worth = asked.get(&row.name).copied());
         }
         names
@@ -236,6 +247,11 @@ impl<'a> Names<'a> {
         }
         let construction = &self.solution.construction;
         let steps = || construction.steps_by_hand();
+        if let What::Corners(ends) = &asked.what {
+            let place = |name: &String| construction.place(sheet, name);
+            let made = ends.iter().filter_map(place).filter_map(|place| construction.step_of_place(place));
+            return made.map(|step| construction.step_number(step)).max().unwrap_or(0);
+        }
         let maker = |image: &str| {
             let maker = steps().find(|s| s.sheet == sheet && s.action.image() == Some(image));
             maker.map(|step| step.number)
@@ -257,6 +273,7 @@ impl<'a> Names<'a> {
         match &asked.what {
             What::Segment(order, [from, to]) if asked.written.component.is_none() => between(order.sheet(), from, to),
             What::Segment(order, [from, to]) => format!("∠ {}", between(order.sheet(), from, to)),
+            What::Corners([from, to]) if asked.written.component.is_none() => between(Sheet::Forces, from, to),
             What::Length(from, to) if asked.sheet() == Sheet::Scheme => between(Sheet::Scheme, from.name(), to.name()),
             _ => {
                 let Wording { notation, .. } = self.solution.wording();

@@ -129,6 +129,13 @@ fn touched(model: &Model, candidate: &Candidate) -> Vec<Touched> {
             operation.kind.each_number_read(|read| reads |= made.contains(&read));
             if reads || line.is_some_and(|line| crosses(&operation.kind, line)) {
                 see(index);
+                // What is laid off in a polygon has its size computed, with its sign, in between.
+                if let (Sheet::Forces, OperationKind::Compute { number, .. }) = (operation.sheet, &operation.kind) {
+                    let laid =
+                        |kind: &OperationKind| matches!(kind, OperationKind::LayOff { size, .. } if size == number);
+                    let mut later = operations.iter().enumerate().skip(index + 1);
+                    later.by_ref().filter(|(_, own)| laid(&own.kind)).for_each(|(later, _)| see(later));
+                }
             }
         }
     }

@@ -202,6 +202,12 @@ impl Construction {
         self.places.get(&(sheet.into(), name.to_owned())).copied()
     }
 
+    /// The step that makes a place; `None` for one that is there from the start.
+    pub(crate) fn step_of_place(&self, place: PlaceId) -> Option<StepId> {
+        let mut operations = self.operations.iter();
+        operations.find(|operation| operation.kind.place() == Some(place)).and_then(|operation| operation.step)
+    }
+
     /// The named points of the sheets, in the order in which they got their names; a place may have several names.
     pub(crate) fn named_places(&self) -> impl Iterator<Item = (Sheet, &str, PlaceId)> {
         self.places.iter().map(|((sheet, name), &place)| (*sheet, name.as_str(), place))

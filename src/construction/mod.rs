@@ -88,7 +88,8 @@ pub use operation::{
 };
 pub use passage::{Aim, Passage};
 pub use polygon::{
-    ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint, Polygon, Side, SideKind,
+    Corner, ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint, Polygon, Side,
+    SideKind,
 };
 pub(crate) use polygon::{FoundForce, FoundNumbers};
 pub use run::{Change, Disturbance, Tolerance, Values};

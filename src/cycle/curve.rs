@@ -127,6 +127,7 @@ impl<'a> Curves<'a> {
             return Err(QuantityError::OnPaper(name.to_owned()).into());
         }
         asked.check_size()?;
+        asked.check_everywhere()?;
         // The scene's own position is not singular.
         check_plan_points(path, std::slice::from_ref(&asked), [path.start()].into_iter())?;
         let mut reading = Reading::new(path, asked.clone());

@@ -49,6 +49,7 @@ impl<'a> Sweep<'a> {
             let name = asked.name().to_owned();
             return Err(QuantityError::NoValue(name, crate::quantity::says::no_scale_in_table()));
         }
+        columns.iter().try_for_each(QuantityRequest::check_everywhere)?;
         let steps = steps.within(path.low(), path.high());
         // A plan point that does not exist is found in the first row with plans, before anything is written.
         let first = (0..steps.count().min(MANY)).map(|row| steps.value(row));

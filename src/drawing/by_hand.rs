@@ -114,6 +114,7 @@ impl HandPaper {
         let context = SheetContext::new(solution, Purpose::Exercise);
         let extent = match sheet.order() {
             None if sheet == Sheet::Centers => centers::extent(&context),
+            None if sheet == Sheet::Forces => super::forces::extent(context.construction())?,
             None => scheme::on_paper::extent(&context),
             Some(order) => super::plan::on_paper::extent(context.construction().plan(order)?, ConstructionShown::Whole),
         };
@@ -202,13 +203,15 @@ fn bare(solution: &Solution) -> Solution {
 }
 
 fn origin(context: &SheetContext<'_>, sheet: Sheet) -> Place {
-    if sheet.order().is_none() { context.construction().origin } else { Place::origin() }
+    let has_own = sheet.order().is_some() || sheet == Sheet::Forces;
+    if has_own { Place::origin() } else { context.construction().origin }
 }
 
 fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>, hand: &HandSheet) {
     match hand.sheet.order() {
         Some(order) => pole(canvas, view, context, order),
         None if hand.sheet == Sheet::Centers => scheme::draw_bare(canvas, view, context, |_| true),
+        None if hand.sheet == Sheet::Forces => super::forces::draw_starts(canvas, view, context),
         None => scheme::draw(canvas, view, context),
     }
     draw_own(canvas, view, context, hand);

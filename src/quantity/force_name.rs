@@ -38,6 +38,8 @@ pub enum ForceOf {
     CenterAcceleration(BodyId),
     /// The moment of a load about a place.
     LoadMoment(LoadOf, Spot),
+    /// The force of a load.
+    Load(LoadOf),
     /// The power of a load.
     Power(LoadOf),
     /// What the links do to the frame.
@@ -77,8 +79,8 @@ impl ForceOf {
     /// Whether it is a vector.
     #[must_use]
     pub fn is_vector(&self) -> bool {
-        use ForceOf::{CenterAcceleration, InertiaForce, Reaction, Shaking};
-        matches!(self, Reaction(..) | InertiaForce(_) | CenterAcceleration(_) | Shaking)
+        use ForceOf::{CenterAcceleration, InertiaForce, Load, Reaction, Shaking};
+        matches!(self, Load(_) | Reaction(..) | InertiaForce(_) | CenterAcceleration(_) | Shaking)
     }
 
     /// The place about which moments are taken, if any.
@@ -176,6 +178,7 @@ impl Finder<'_> {
             Head::FrictionCouple => pin_and_link().map(|(pin, link)| ForceOf::FrictionCouple(pin, link))?,
             Head::CenterAcceleration => ForceOf::CenterAcceleration(self.link(first)?),
             Head::LoadMoment => ForceOf::LoadMoment(self.load(first)?, self.spot(second()?)?),
+            Head::Load => ForceOf::Load(self.load(first)?),
             Head::Power => ForceOf::Power(self.load(first)?),
             Head::Shaking => ForceOf::Shaking,
             Head::ShakingMoment => ForceOf::ShakingMoment(self.spot(first)?),

@@ -47,6 +47,23 @@ impl Reader<'_> {
         }
     }
 
+    /// What lies between two corners of a force polygon, measured there.
+    pub(super) fn corners(&mut self, asked: &QuantityRequest, ends: &[String; 2]) -> Result<(NumberId, Sense), Unread> {
+        let construction = &self.writer.construction;
+        if !construction.by_hand.contains(&Sheet::Forces) {
+            return Err(Unread::NoSheet(Sheet::Forces));
+        }
+        let place = |name: &String| construction.place(Sheet::Forces, name).ok_or(Unread::NotDrawn);
+        let ends = self.drawn([place(&ends[0])?, place(&ends[1])?])?;
+        let (how, sense) = match asked.written.component {
+            Some(Component::X) => (MeasuredAs::X, Sense::Signed),
+            Some(Component::Y) => (MeasuredAs::Y, Sense::Signed),
+            Some(Component::Angle) => (MeasuredAs::Direction, Sense::Angle),
+            Some(Component::Size) | None => (MeasuredAs::Size, Sense::Distance),
+        };
+        Ok((self.measure(Sheet::Forces, asked.name(), ends, how), sense))
+    }
+
     /// The power of a load, from its moment on the lever.
     fn power(&self, of: LoadOf) -> Result<NumberId, Unread> {
         let construction = &self.writer.construction;

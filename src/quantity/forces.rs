@@ -60,6 +60,7 @@ impl ForceOf {
                 let load = load(of)?;
                 Number((load.at - about?).cross(load.force) + load.couple)
             }
+            ForceOf::Load(ref of) => Vector(load(of)?.force),
             ForceOf::Power(ref of) => {
                 let load = load(of)?;
                 let (velocity, omega) = posed.rates(load.body, load.at);

@@ -131,6 +131,8 @@ pub enum What {
     Part(AccelerationPart, Spot, Spot, Option<BodyId>),
     /// A segment of the plan of velocities or of accelerations, by the names of its ends.
     Segment(Order, [String; 2]),
+    /// What lies between two corners of a force polygon, by their names.
+    Corners([String; 2]),
     /// The place of a pole of the motion.
     Pole(Pole),
     /// The diameter of the inflection circle of a link, by its inflection pole.
@@ -217,7 +219,11 @@ impl QuantityRequest {
             Some(Component::Size) if asked.is_place() => false,
             Some(Component::Angle) if asked.is_place() => matches!(asked.written.head, Head::Center),
             // A segment's length stands without a component.
-            Some(Component::Angle) => asked.is_of_vectors() || matches!(asked.what, What::Segment(..)),
+            Some(Component::Angle) => {
+                asked.is_of_vectors() || matches!(asked.what, What::Segment(..) | What::Corners(_))
+            }
+            // Plans have poles, from which a point has coordinates; polygons have corners.
+            Some(Component::X | Component::Y) if matches!(asked.what, What::Corners(_)) => true,
             Some(_) => asked.is_of_vectors(),
         };
         if !has_component {
@@ -232,6 +238,14 @@ impl QuantityRequest {
             return Err(QuantityError::NoSize(self.name.clone()));
         }
         Ok(())
+    }
+
+    /// Refuses what has a meaning in one position alone: corners of force polygons, which are counted as they are drawn there.
+    pub(crate) fn check_everywhere(&self) -> Result<(), QuantityError> {
+        match self.what {
+            What::Corners(_) => Err(QuantityError::NoValue(self.name.clone(), says::corners_of_one_position())),
+            _ => Ok(()),
+        }
     }
 
     /// Its name as it was asked for.
@@ -301,6 +315,10 @@ impl Finder<'_> {
                     let second = second.ok_or_else(|| self.form())?;
                     What::Segment(order, [first, second].map(str::to_owned))
                 }
+                None if sheet == Sheet::Forces => {
+                    let second = second.ok_or_else(|| self.form())?;
+                    What::Corners([first, second].map(str::to_owned))
+                }
                 // Only segments of plans are known in millimetres of paper.
                 None if sheet == Sheet::Scheme && !on_paper => {
                     let second = second.ok_or_else(|| self.form())?;
@@ -329,6 +347,7 @@ impl Finder<'_> {
             | Head::FrictionCouple
             | Head::CenterAcceleration
             | Head::LoadMoment
+            | Head::Load
             | Head::Power
             | Head::Shaking
             | Head::ShakingMoment => {

@@ -22,6 +22,10 @@ messages! { "quantity":
     at_infinity;
     not_on_one_link;
     no_plan;
+    no_force_plan;
+    two_polygons;
+    routes_differ;
+    corners_of_one_position;
     centre_at_infinity;
     centre_at_place;
     rest_on_another;

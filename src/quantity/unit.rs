@@ -50,7 +50,7 @@ impl QuantityRequest {
     pub fn needs_construction(&self) -> bool {
         let special = |spot: &Spot| matches!(spot, Spot::Special(_));
         match &self.what {
-            What::Segment(..) => true,
+            What::Segment(..) | What::Corners(_) => true,
             What::Coordinate(_, spot) | What::PathRadius(spot) => special(spot),
             What::Length(a, b) | What::Part(_, a, b, _) => special(a) || special(b),
             What::Motion(_, a, b) => special(a) || b.as_ref().is_some_and(special),
@@ -75,6 +75,7 @@ impl QuantityRequest {
             | What::Pole(_)
             | What::InflectionDiameter(_)
             | What::PathRadius(_)
+            | What::Corners(_)
             | What::Force(..) => None,
         }
     }
@@ -88,7 +89,7 @@ impl QuantityRequest {
             | What::Length(Spot::Pole(_), _)
             | What::Length(_, Spot::Pole(_)) => Sheet::Centers,
             What::Force(ForceOf::Power(_), _) => Sheet::Lever,
-            What::Force(..) => Sheet::Forces,
+            What::Force(..) | What::Corners(_) => Sheet::Forces,
             _ => self.order().map_or(Sheet::Scheme, Order::sheet),
         }
     }
@@ -132,7 +133,7 @@ impl QuantityRequest {
     /// Whether it is the distance of two places: a length of the scheme, or a segment of a plan.
     #[must_use]
     pub fn is_distance(&self) -> bool {
-        matches!(self.what, What::Segment(..) | What::Length(..)) && self.written.component.is_none()
+        matches!(self.what, What::Segment(..) | What::Corners(_) | What::Length(..)) && self.written.component.is_none()
     }
 
     /// Whether it is a rate that is solved for or given, or follows from such rates alone: its sense is written as a sign, or not at all.
@@ -192,6 +193,7 @@ impl QuantityRequest {
             upper,
             ..plain(letter, shown(a) + &b.map_or(String::new(), shown))
         };
+        let is_along = |axis: Component| self.written.component == Some(axis);
         let link = |id| shown(&mechanism.body(id).name);
         let names = |id| mechanism.slider_shown(id, notation, shown);
         let slide = |order, part, id| {
@@ -255,6 +257,7 @@ impl QuantityRequest {
                     }
                     ForceOf::CenterAcceleration(id) => plain("a", format!("cm{}", link(*id))),
                     ForceOf::LoadMoment(of, about) => plain("M", format!("{},{}", load(of), shown(about.name()))),
+                    ForceOf::Load(of) => Symbol { after: load(of), ..plain("", String::new()) },
                     ForceOf::Power(of) => plain("P", load(of)),
                     ForceOf::Shaking => plain("F", "s".to_owned()),
                     ForceOf::ShakingMoment(about) => plain("M", format!("s,{}", shown(about.name()))),
@@ -268,15 +271,24 @@ impl QuantityRequest {
                 };
                 relative("a", part, a.name(), Some(b.name()))
             }
-            What::Segment(_, [from, to]) if self.written.component.is_some() => {
+            What::Corners([from, to]) if is_along(Component::X) || is_along(Component::Y) => {
+                let axis = if is_along(Component::X) { "x" } else { "y" };
+                Symbol { after: format!("({} {})", shown(from), shown(to)), ..plain("F", axis.to_owned()) }
+            }
+            What::Segment(_, [from, to]) | What::Corners([from, to]) if self.written.component.is_some() => {
                 Symbol { after: format!("({} {})", shown(from), shown(to)), ..plain("", String::new()) }
             }
+            What::Corners([from, to]) => Symbol {
+                after: format!(" ({} {})", shown(from), shown(to)),
+                ..plain(Sheet::Forces.facts().scale_symbol, String::new())
+            },
             What::Segment(order, [from, to]) => Symbol {
                 after: format!(" ({} {})", shown(from), shown(to)),
                 ..plain(order.sheet().facts().scale_symbol, String::new())
             },
         };
         let axis = match self.written.component {
+            _ if matches!(self.what, What::Corners(_)) => "",
             Some(Component::X) => ",x",
             Some(Component::Y) => ",y",
             _ => "",

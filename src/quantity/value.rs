@@ -10,7 +10,7 @@ use crate::message::Message;
 use crate::motion::Motion;
 use crate::position::Pose;
 use crate::scene::Component;
-use crate::sheet::{Order, Scales};
+use crate::sheet::{Order, Scales, Sheet};
 use crate::text::shown;
 use core::f64::consts::TAU;
 
@@ -119,14 +119,27 @@ impl QuantityRequest {
             What::Force(of, compiled) => reader.force(of, compiled)?,
             What::Segment(order, ends) if self.written.component.is_some() => Vector(reader.segment(*order, ends)?),
             What::Segment(order, ends) if !self.written.on_paper => Number(reader.segment(*order, ends)?.norm()),
+            What::Corners(ends) => {
+                let side = reader.corners(ends)?;
+                match self.written.component {
+                    Some(_) => Vector(side),
+                    None if self.written.on_paper => Number(self.on_paper(side.norm(), Sheet::Forces, scales)?),
+                    None => Number(side.norm()),
+                }
+            }
             What::Segment(order, ends) => {
                 let length = reader.segment(*order, ends)?.norm();
-                let mu = scales.and_then(|scales| scales[order.sheet()]);
-                let mm = length / mu.ok_or_else(|| self.none(says::no_plan_no_scale()))?;
-                Number(if mm.is_finite() { mm } else { return Err(self.none(says::scale_too_small())) })
+                Number(self.on_paper(length, order.sheet(), scales)?)
             }
         };
         Ok(self.component(value))
+    }
+
+    /// So much of a sheet, in millimetres of its paper.
+    fn on_paper(&self, length: f64, sheet: Sheet, scales: Option<&Scales>) -> Result<f64, QuantityError> {
+        let mu = scales.and_then(|scales| scales[sheet]);
+        let mm = length / mu.ok_or_else(|| self.none(says::no_plan_no_scale()))?;
+        if mm.is_finite() { Ok(mm) } else { Err(self.none(says::scale_too_small())) }
     }
 
     /// That component of a vector that is asked for.
@@ -211,6 +224,24 @@ impl<S: State> Reader<'_, S> {
         let link = link.ok_or_else(|| self.asked.none(says::not_on_one_link()))?;
         let [omega, alpha] = self.state.angular_rates(link);
         Ok([arm * -(omega * omega), quarter_turn(arm) * alpha])
+    }
+
+    /// From one corner of a force polygon to another, in the scene's unit of force.
+    fn corners(&self, ends: &[String; 2]) -> Result<Vector, QuantityError> {
+        let none = |why: Message| self.asked.none(why);
+        let construction = self.construction.ok_or_else(|| none(says::no_force_plan()))?;
+        let drawn = construction.forces.as_deref().filter(|plan| !plan.polygons.is_empty());
+        let plan = drawn.ok_or_else(|| none(says::no_force_plan()))?;
+        let corner = |name: &String| {
+            let known = || plan.named_corners().map(|(name, _)| name);
+            plan.corner(name).ok_or_else(|| unknown(&self.asked.name, Part::PlanPoint, name, known()))
+        };
+        let [from, to] = [corner(&ends[0])?, corner(&ends[1])?];
+        match from.polygon == to.polygon {
+            _ if !plan.agrees() => Err(none(says::routes_differ())),
+            true => Ok(to.at - from.at),
+            false => Err(none(says::two_polygons())),
+        }
     }
 
     /// The length of a plan segment, in the plan's units.

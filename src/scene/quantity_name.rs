@@ -91,6 +91,8 @@ pub enum Head {
     CenterAcceleration,
     /// The moment of a load about a point.
     LoadMoment,
+    /// The force of a load.
+    Load,
     /// The power of a load.
     Power,
     /// The shaking force: what the links do to the frame.
@@ -170,6 +172,7 @@ impl Head {
         (Head::FrictionCouple, "M_f", Argument::Point, QuantityKind::Moment),
         (Head::CenterAcceleration, "a_cm", Argument::Link, QuantityKind::Acceleration),
         (Head::LoadMoment, "moment", Argument::Load, QuantityKind::Moment),
+        (Head::Load, "load", Argument::Load, QuantityKind::Force),
         (Head::Power, "power", Argument::Load, QuantityKind::Power),
         (Head::Shaking, "shaking", Argument::Nothing, QuantityKind::Force),
         (Head::ShakingMoment, "shaking", Argument::Point, QuantityKind::Moment),

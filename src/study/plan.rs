@@ -84,7 +84,8 @@ impl StudyFile {
             if asked.written.on_paper {
                 return self.refuse(&["want", name], "a study has no paper", Some("the name without `/mu`"));
             }
-            asked.check_size().map_err(|error| refused(self, &["want", name], &error.problem()))?;
+            let is_of_all = asked.check_size().and_then(|()| asked.check_everywhere());
+            is_of_all.map_err(|error| refused(self, &["want", name], &error.problem()))?;
             wanted.push(Wanted { name: name.clone(), asked, figures: figures.clone() });
         }
         let task = Task { range, wanted, errors: self.keys.bounds, at_steps: self.keys.at_steps };

@@ -85,6 +85,7 @@ mod editing;
 mod error_bounds;
 mod films;
 mod first_wrong;
+mod force_boards;
 mod force_tables;
 mod forces;
 mod forces_checked;

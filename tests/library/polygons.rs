@@ -2,13 +2,14 @@
 //! for cases of independent digits and for random groups of all classes under random loads.
 
 use crate::forces::loaded;
-use kinegon::construction::{Action, ForceOf, ForcePart, ForcePlan, ForceStep, SideKind};
+use kinegon::construction::{Action, Corner, ForceOf, ForcePart, ForcePlan, ForceStep, SideKind};
+use kinegon::format::QuantityResult;
 use kinegon::geometry::Vector;
 use kinegon::mechanism::Mechanism;
 use kinegon::{Sheet, Solution};
 use serde_json::{Value, json};
 use support::comparison::{decimal, entries};
-use support::exact::exceeds;
+use support::exact::{exceeds, minus};
 use support::files;
 use support::planted::{Planted, pattern};
 use support::random::Random;
@@ -160,4 +161,89 @@ fn a_plan_is_drawn_where_it_is_asked_for() {
     });
     let solution = solved(&with_plan(scene).to_string()).expect("it is solved");
     assert!(solution.construction.forces.is_none());
+}
+
+/// The name of a polygon's corner at a place.
+fn corner_at(plan: &ForcePlan, polygon: usize, at: Vector) -> String {
+    let near = |corner: &Corner| corner.polygon == polygon && (corner.at - at).norm() <= 1e-12 * at.norm().max(1.0);
+    let found = plan.named_corners().find(|(_, corner)| near(corner));
+    found.map(|(name, _)| name.to_owned()).expect("every side ends in a corner with a name")
+}
+
+/// What lies between two corners is the force that truth has, within the stated error: whole forces of joints by their components, parts by their size.
+#[test]
+fn what_lies_between_corners_is_the_force_there() {
+    let (mut whole, mut parts, mut bounded) = (0, 0, 0);
+    for case in crate::forces::cases().iter().filter(|case| !case["expected"]["reactions"].is_null()) {
+        let mut scene = with_plan(case["scene"].clone());
+        let drawn = solved(&scene.to_string()).expect("it can be solved");
+        if !is_constructed(&drawn) {
+            continue;
+        }
+        let (id, mechanism) = (case["id"].as_str().expect("an id"), &drawn.mechanism);
+        let names = |number: usize, from: Vector, to: Vector| [from, to].map(|at| corner_at(plan(&drawn), number, at));
+        // Names of what lies between corners, each with the truth.
+        let mut expected: Vec<(String, String)> = Vec::new();
+        for (number, polygon) in plan(&drawn).polygons.iter().enumerate() {
+            for side in &polygon.sides {
+                let [from, to] = names(number, side.from, side.from + side.vector);
+                match side.of {
+                    ForceOf::Joint { joint, on, part: ForcePart::Whole } => {
+                        let joint = mechanism.joint(joint);
+                        let at_pin = mechanism.joints.iter().filter(|other| other.pin == joint.pin).count();
+                        let Some(pin) = joint.pin.filter(|_| at_pin == 1) else { continue };
+                        let truth = &case["expected"]["reactions"][mechanism.point_name(pin)][&mechanism.body(on).name];
+                        for (axis, index) in [("x", 0), ("y", 1)].into_iter().filter(|_| !truth.is_null()) {
+                            expected.push((format!("fplan({from},{to}).{axis}"), decimal(&truth[index]).to_owned()));
+                            whole += 1;
+                        }
+                    }
+                    ForceOf::Joint { joint, on, part: ForcePart::Normal | ForcePart::Tangential } => {
+                        let letter =
+                            if matches!(side.of, ForceOf::Joint { part: ForcePart::Normal, .. }) { "n" } else { "t" };
+                        let Some(pin) = mechanism.joint(joint).pin else { continue };
+                        let name = format!("R_{letter}({},{})", mechanism.point_name(pin), mechanism.body(on).name);
+                        let groups = case["expected"]["groups"].as_array().into_iter().flatten();
+                        let truth = groups.filter_map(|group| group["parts"].get(&name)).next();
+                        if let Some(truth) = truth {
+                            let size = decimal(truth).trim_start_matches('-').to_owned();
+                            expected.push((format!("fplan({from},{to})"), size));
+                            parts += 1;
+                        }
+                    }
+                    _ => {}
+                }
+            }
+        }
+        scene["want"] = json!(expected.iter().map(|(name, _)| name).collect::<Vec<_>>());
+        let result =
+            solved(&scene.to_string()).expect("it can be solved").whole_result().expect("every corner is there");
+        let sides = plan(&drawn).polygons.iter().flat_map(|polygon| &polygon.sides);
+        let largest = sides.map(|side| side.vector.norm()).fold(0.0, f64::max);
+        for (name, truth) in expected {
+            let QuantityResult::Number(value) = result.quantities[&name] else { panic!("{id}: {name} is no number") };
+            let (off, stated) = (minus(value, &truth).abs(), result.quantity_errors[&name]);
+            assert!(!exceeds(off, 1e-9 * largest), "{id}: {name}: {value}");
+            // The truth has sixty digits.
+            assert!(
+                !exceeds(off, stated + 1e-50 * largest),
+                "{id}: {name}: {value} is off by {off}, stated is {stated}"
+            );
+            bounded += usize::from(stated < 1e-6 * largest);
+        }
+    }
+    assert!(whole > 300 && parts > 80 && bounded * 10 > 9 * (whole + parts), "{whole} {parts} {bounded}");
+}
+
+/// Corners of two polygons, of no polygon, and of a figure without a force plan have nothing between them; nor is there a curve of what does.
+#[test]
+fn corners_have_a_meaning_in_one_polygon_and_one_position() {
+    let scene = crate::forces::cases().swap_remove(0)["scene"].clone();
+    let drawn = solved(&with_plan(scene.clone()).to_string()).expect("it can be solved");
+    let says = |solution: &Solution, name: &str| solution.quantity(name).expect_err("no value").to_string();
+    assert!(says(&drawn, "fplan(o1,a2)").contains("two polygons"));
+    assert!(says(&drawn, "fplan(o1,z9)").contains("z9"));
+    assert!(drawn.quantity("fplan(o1,a1)").is_ok() && drawn.quantity("fplan(o1,a1).angle").is_ok());
+    let bare = solved(&scene.to_string()).expect("it can be solved");
+    assert!(says(&bare, "fplan(o1,a1)").contains("panel"));
 }

@@ -4,7 +4,7 @@
 //!
 //! In reading order: `statics` (forces with their lines of action, arms, moments), `sides` (polygons, side by side), `leg` (the part of an
 //! outer joint's force that one link alone tells), `second`, `third` and `fourth` (groups of these classes), `wheels` (the force between teeth), `guides` (couples in guides), `drive`
-//! (driven links and sliders), `named` (the numbers and names of what is found), `compared`, `told` (captions, symbols).
+//! (driven links and sliders), `named` (the numbers and names of what is found), `corners` (the names of corners), `compared`, `told` (captions, symbols).
 //!
 //! # One rule for pins and guides
 //!
@@ -17,6 +17,7 @@
 //! (O. Shai, G. R. Pennock, J. Mech. Des. 128, 2006).
 
 mod compared;
+mod corners;
 mod drive;
 mod fourth;
 mod guides;
@@ -36,6 +37,8 @@ use super::writer::Writer;
 use crate::forces::{Forces, Source, driven};
 use crate::geometry::{Point, Vector};
 use crate::mechanism::{BodyId, Class, Group, JointId, PointId, SliderId};
+pub use corners::Corner;
+use indexmap::IndexMap;
 use named::WholeForce;
 pub(crate) use named::{FoundForce, FoundNumbers};
 use statics::Statics;
@@ -54,6 +57,8 @@ pub struct ForcePlan {
     pub(super) joints: Vec<(JointId, BodyId, Option<[PlaceId; 2]>)>,
     /// What is found, as numbers of the construction.
     pub(crate) numbers: FoundNumbers,
+    /// The corners of the polygons, by their names.
+    pub(crate) corners: IndexMap<String, Corner>,
     /// How the forces from these polygons agree with those from the equations of equilibrium, in parts of the largest force.
     pub agreement: Option<Agreement>,
 }
@@ -250,6 +255,7 @@ pub(super) fn force_plan(writer: &mut Writer<'_>, computed: &Forces, has_polygon
         statics.move_apart(first);
         statics.compare();
         statics.name_all();
+        statics.name_corners();
     }
     let plan = statics.plan;
     writer.construction.forces = Some(Box::new(plan));

@@ -152,7 +152,7 @@ fn whole_name(mechanism: &Mechanism, joint: JointId, on: BodyId) -> Option<Name>
     Some(Name::Vector(format!("R({},{})", mechanism.point_name(pin), mechanism.body(on).name)))
 }
 
-fn part_name(mechanism: &Mechanism, of: ForceOf) -> Option<String> {
+pub(super) fn part_name(mechanism: &Mechanism, of: ForceOf) -> Option<String> {
     let ForceOf::Joint { joint, on, part } = of else { return None };
     if mechanism.joint(joint).slider.is_some() {
         return whole_name(mechanism, joint, on).map(Name::of_size);

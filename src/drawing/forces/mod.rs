@@ -11,10 +11,13 @@ use super::sheet::Pen;
 use super::text::RichText;
 use super::view::{Extent, View, towards};
 use crate::construction::{
-    Action, Construction, ForceOf, ForcePart, ForcePlan, ForceStep, NOTHING, Polygon, Side, SideKind,
+    Action, Construction, ForceOf, ForcePart, ForcePlan, ForceStep, NOTHING, Polygon, Side, SideKind, display,
+    plain_text,
 };
 use crate::geometry;
 use crate::mechanism::{BodyId, Mechanism};
+use crate::scene::{Head, QuantityName};
+use crate::sheet::Sheet;
 use kurbo::{Point, Vec2};
 
 /// Length of a direction beyond the ends of its side, in mm.
@@ -39,7 +42,23 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     panel.areas(canvas);
     panel.directions(canvas);
     panel.sides(canvas);
+    panel.corners(canvas);
     canvas.step = 0;
+}
+
+/// Draws the points in which polygons begin, each with the links that are cut free, for a hand that draws the rest.
+pub(super) fn draw_starts(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
+    let Some(plan) = context.construction().forces.as_deref() else { return };
+    canvas.step = 0;
+    for (index, polygon) in plan.polygons.iter().enumerate() {
+        let name = format!("o{}", index + 1);
+        let Some(corner) = plan.corner(&name) else { continue };
+        let (center, radius) = (view.at(corner.at.into()), 2.0 * context.surface.dims.dot);
+        canvas.draw_named(&format!("point-{name}"), Pen::Pole, Shape::Circle { center, radius });
+        let links = plain_text(&context.teller().links_in_words(&polygon.links));
+        let label = RichText::math(&format!("{}: {links}", display(&name)));
+        canvas.ask(&format!("{name}-"), LabelRequest::new(label, center, radius + 0.7, None, 2));
+    }
 }
 
 /// The steps with which things appear.
@@ -146,6 +165,28 @@ impl PolygonsOnPaper<'_> {
 }
 
 impl PolygonsOnPaper<'_> {
+    /// The names of corners, where the scene asks for what lies between them.
+    fn corners(&self, canvas: &mut Canvas<'_>) {
+        let scene = &self.context.solution.scene;
+        let form = scene.form.iter().flat_map(|form| form.keys());
+        let asked = scene.want.iter().flatten().chain(form).filter_map(|name| QuantityName::parse(name));
+        if !asked.into_iter().any(|name| name.head == Head::Between(Sheet::Forces)) {
+            return;
+        }
+        let radius = self.context.surface.dims.dot;
+        for (name, corner) in self.plan.named_corners() {
+            // It is there once a side begins or ends in it.
+            let polygon = &self.plan.polygons[corner.polygon];
+            let steps = polygon.sides.iter().zip(&self.steps.sides[corner.polygon]);
+            let here = steps.filter(|(side, _)| side.ends.contains(&corner.place));
+            canvas.step = here.map(|(_, step)| *step).min().unwrap_or_default();
+            let center = self.view.at(corner.at.into());
+            canvas.draw_named(&format!("corner-{name}"), Pen::Pole, Shape::Circle { center, radius });
+            let label = RichText::math(&display(name));
+            canvas.ask(&format!("corner-{name}-"), LabelRequest::new(label, center, radius + 0.7, None, 2));
+        }
+    }
+
     /// The links whose polygon it is, above it.
     fn name(&self, canvas: &mut Canvas<'_>, number: usize, polygon: &Polygon, steps: &[u16]) {
         let Some(first) = steps.iter().copied().filter(|step| *step > 0).min() else { return };
