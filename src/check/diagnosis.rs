@@ -62,7 +62,12 @@ impl Group<'_> {
 
     /// Whether it tells of the mistake, at one place or at more.
     fn has(&self, candidate: &Candidate) -> bool {
-        self.findings.iter().any(|f| f.candidate.told == candidate.told || is_repeated(&f.candidate, candidate))
+        self.findings.iter().any(|finding| {
+            let own = &finding.candidate;
+            own.told == candidate.told
+                || is_repeated(own, candidate)
+                || own.told.wider().as_ref() == Some(&candidate.told)
+        })
     }
 }
 
@@ -84,7 +89,11 @@ impl Search<'_> {
         while !told.is_empty() && probability(&told) < TOLD {
             // Of the first its place is told at least.
             let last = told.pop().filter(|last| told.is_empty() && last.names_cause());
-            told.extend(last.and_then(|last| only_placed(&last, values)));
+            let less = |last: Finding| {
+                let wider = wider(&last).filter(|wider| probability(core::slice::from_ref(wider)) >= TOLD);
+                wider.or_else(|| only_placed(&last, values))
+            };
+            told.extend(last.and_then(less));
         }
         let explained = |told: &[Finding], entry: usize| {
             told.iter().any(|f| f.follows.contains(&entry) || f.written.contains(&entry))
@@ -327,6 +336,9 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
         if sum(&|g| g.has(&finding.candidate)) >= TOLD {
             return Some(finding.clone());
         }
+        if let Some(wider) = wider(finding).filter(|wider| sum(&|g| g.has(&wider.candidate)) >= TOLD) {
+            return Some(wider);
+        }
         let first = finding.first();
         let begins = |g: &Group<'_>| g.findings.iter().any(|f| f.first() == first);
         only_placed(finding, values).filter(|_| sum(&begins) >= TOLD)
@@ -343,6 +355,12 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
         finding.names_cause() || first_open.is_none_or(|open| begins.is_some_and(|b| b < open))
     });
     told
+}
+
+/// A mistake without which of several wrong things was taken; `None` of one that is told wholly or not at all.
+fn wider(finding: &Finding) -> Option<Finding> {
+    let told = finding.candidate.told.wider()?;
+    Some(Finding { candidate: Candidate { told, ..finding.candidate.clone() }, ..finding.clone() })
 }
 
 /// A mistake told by its place and what follows from it, without a cause.

@@ -105,8 +105,19 @@ pub(super) enum Rub {
 }
 
 impl Grip {
+    /// tan φ of the angle of friction, the coefficient.
+    pub(crate) fn tangent(self) -> f64 {
+        match self {
+            Grip::Coefficient(tangent) => tangent,
+            Grip::Angle(angle) => {
+                let line = Pair::direction_of_degrees(Ball::decimal(angle));
+                line.y.high / line.x.high
+            }
+        }
+    }
+
     /// sin φ of the angle of friction.
-    fn sine(self) -> f64 {
+    pub(crate) fn sine(self) -> f64 {
         match self {
             Grip::Coefficient(tangent) => tangent / (1.0 + tangent * tangent).sqrt(),
             Grip::Angle(angle) => Pair::direction_of_degrees(Ball::decimal(angle)).y.high,

@@ -3,7 +3,7 @@
 //!
 //! In reading order: `acting` makes loads of masses, gravity, inertia, forces and springs; `equilibrium` finds what joints carry, `friction`
 //! what resists their motion;
-//! `power` finds the drives' torques a second time, from velocities; `opened` and `compiled` are quick for many positions; `carried` holds the result.
+//! `otherwise` has friction as it is taken by mistake; `power` finds the drives' torques a second time, from velocities; `opened` and `compiled` are quick for many positions; `carried` holds the result.
 //!
 //! # Forces in joints
 //!
@@ -32,6 +32,7 @@ mod compiled;
 mod equilibrium;
 mod friction;
 mod opened;
+mod otherwise;
 mod power;
 #[doc(hidden)] // for tests
 pub mod says;
@@ -42,6 +43,7 @@ pub(crate) use acting::{center, friction_circles, rubbed_joints};
 pub use carried::{Agreement, Drive, Forces};
 pub use compiled::Compiled;
 pub(crate) use equilibrium::{driven, own_joint};
+pub(crate) use otherwise::{FrictionLoad, RubbedJoint, friction_times, rubbing, smooth_over_rough};
 pub use power::Driven;
 pub(crate) use power::lever_states;
 

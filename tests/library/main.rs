@@ -41,7 +41,7 @@
 //!   every scene; `plan_vectors` holds heads of vectors and arcs of rates to what they show; `worksheets` holds printed lengths to results on every page; `curves` and `hodographs` hold marked
 //!   extremes and tips to closed forms, `point_paths` paths, their cusps and double points. `films` reads films back.
 //! - The pencil: `pencil` holds the replayed construction to the numeric solution and simulated drawings to their
-//!   bands; `planted_mistakes` draws with mistakes put in.
+//!   bands; `planted_mistakes` draws with mistakes put in, `planted_numbers` holds what follows from those with wheels, cams and friction to closed forms.
 //!   `directions` holds directions of plan points to closed forms.
 //! - Students: `students` draws exercises of all kinds once more, by a construction that shares nothing with the
 //!   check's (`tests/support/students`), with hands that err and mistakes of which many are in no catalogue;
@@ -118,6 +118,7 @@ mod photographs;
 mod plan_vectors;
 mod planted_mistakes;
 mod planted_modes;
+mod planted_numbers;
 mod point_paths;
 mod polygons;
 mod properties;

@@ -237,6 +237,8 @@ macro_rules! catalogue {
             /// Moments taken about a point through which the lines of the other unknowns do not pass.
             MomentAboutWrongPoint "moment-about-wrong-point" 15.0 moments::about_wrong_point {
                 moment_about_wrong_point(found, wrong, right)
+                /// About which one the values leave open.
+                moment_about_another_point(found, right)
             }
             /// Forces put on the velocity plan as it is, not turned.
             LeverNotTurned "lever-not-turned" 4.0 moments::not_turned { lever_not_turned(found) }
@@ -266,9 +268,40 @@ macro_rules! catalogue {
                 rims_swapped(wheel)
             }
             /// The accelerations of two wheels taken as equal where they touch.
-            AccelerationsEqualAtP "accelerations-equal-at-P" 6.0 teeth::accelerations_equal {
+            AccelerationsEqualAtP "accelerations-equal-at-P" 9.0 teeth::accelerations_equal {
                 accelerations_equal(first, second)
             }
+            /// The diameter of a wheel in place of its radius.
+            DiameterForRadius "diameter-for-radius" 4.0 radii::diameter { diameter_for_radius(found, wheel) }
+            /// The force between teeth taken along the tangent alone.
+            RadialForceLeftOut "radial-force-left-out" 6.0 radii::radial { radial_force_left_out(force) }
+            /// The distance of the centres of profiles that touch taken as one of their radii.
+            RollerRadiusLeftOut "roller-radius-left-out" 6.0 contacts::radius_left_out {
+                radius_left_out(length, link)
+            }
+            /// A contact's normal drawn from another point than the centre of curvature.
+            WrongCentreOfCurvature "wrong-centre-of-curvature" 5.0 contacts::wrong_center {
+                wrong_center_of_curvature(wrong, right, first, second)
+            }
+            /// The velocity along the tangent of profiles that touch left out.
+            SlidingLeftOut "sliding-left-out" 5.0 contacts::sliding_left_out { sliding_left_out(image, start) }
+            /// A flat face taken along a wrong line.
+            FaceAlongWrongLine "face-along-wrong-line" 5.0 contacts::face_along_wrong_line {
+                face_along_wrong_line(link, line)
+                face_normal_to_wrong_line(link, line)
+            }
+            /// Friction in the sense of the motion.
+            FrictionSense "friction-sense" 6.0 friction::reversed { friction_sense(friction) }
+            /// The angle of friction for its tangent or its sine, or these for each other.
+            AngleForCoefficient "angle-for-coefficient" 2.0 friction::angle_for_coefficient {
+                angle_for_coefficient(friction)
+            }
+            /// Friction by what a joint would carry without friction.
+            NormalWithoutLean "normal-without-lean" 4.0 friction::without_lean { normal_without_lean(friction) }
+            /// A circle of friction by the diameter of the journal.
+            FrictionCircleDiameter "friction-circle-diameter" 4.0 friction::diameter { friction_circle_diameter(friction) }
+            /// Friction left out.
+            FrictionLeftOut "friction-left-out" 6.0 friction::left_out { friction_left_out(friction) }
             /// The other assembly mode.
             OtherMode "other-mode" 4.0 lengths::other_mode { other_mode() }
             /// The mechanism drawn at another angle of its crank.

@@ -121,9 +121,11 @@ fn transpositions(text: &str) -> Vec<String> {
         other.swap(pair[0], pair[1]);
         other.into_iter().collect()
     });
+    // A mantissa before a power of ten never begins with a zero.
+    let has_power = text.contains(['e', 'E']);
     let begins_with_zero = |number: &String| {
         let number = number.trim_start_matches(['+', '-']).as_bytes();
-        number.len() > 1 && number[0] == b'0' && number[1].is_ascii_digit()
+        number.len() > 1 && number[0] == b'0' && (has_power || number[1].is_ascii_digit())
     };
     swapped.filter(|n| !begins_with_zero(n)).collect()
 }

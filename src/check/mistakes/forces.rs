@@ -62,7 +62,7 @@ impl<'s> Drawn<'s> {
     }
 
     /// Changes of numbers that are taken, at the step that first needs one of them.
-    fn of_numbers(&self, told: Told, edits: Vec<(NumberId, Change)>) -> Option<Candidate> {
+    pub fn of_numbers(&self, told: Told, edits: Vec<(NumberId, Change)>) -> Option<Candidate> {
         let step = edits.iter().map(|(number, _)| self.first_step(*number)).min()?;
         let edit = |(number, change): (NumberId, Change)| {
             Some(Disturbance { operation: self.site.model.makers[number.0]?, change })
@@ -81,7 +81,7 @@ impl<'s> Drawn<'s> {
     }
 
     /// A load by its symbol.
-    fn load_symbol(&self, load: &LoadShown) -> Blank {
+    pub fn load_symbol(&self, load: &LoadShown) -> Blank {
         self.teller(|teller| Blank::Words(plain_text(&teller.load_symbol(load.source, load.body))))
     }
 
@@ -94,18 +94,18 @@ impl<'s> Drawn<'s> {
     }
 
     /// The loads, with their indices.
-    fn loads(&self) -> impl Iterator<Item = (usize, &'s LoadShown)> {
+    pub fn loads(&self) -> impl Iterator<Item = (usize, &'s LoadShown)> {
         self.plan.loads.iter().enumerate()
     }
 
     /// The sizes of a load's force: in polygons and moments, and on levers.
-    fn force_numbers(&self, load: usize) -> Vec<NumberId> {
+    pub fn force_numbers(&self, load: usize) -> Vec<NumberId> {
         let own = self.plan.numbers.loads.get(load).and_then(|numbers| numbers[0]);
         own.into_iter().chain(self.on_levers(load, false)).filter(|number| self.is_there(*number)).collect()
     }
 
     /// The sizes of a load's couple, and of the forces on levers that stand for it.
-    fn couple_numbers(&self, load: usize) -> Vec<NumberId> {
+    pub fn couple_numbers(&self, load: usize) -> Vec<NumberId> {
         let own = self.plan.numbers.loads.get(load).and_then(|numbers| numbers[1]);
         own.into_iter().chain(self.on_levers(load, true)).filter(|number| self.is_there(*number)).collect()
     }
@@ -218,7 +218,11 @@ pub(super) fn inertia_along(site: &Site<'_>) -> Vec<Candidate> {
 }
 
 /// The same mistake with all of several loads: its first blank has the symbols of all.
-fn all_of(each: &[Candidate], blanks: impl Fn(&Told) -> Vec<Blank>, tell: fn(Blank) -> Told) -> Option<Candidate> {
+pub(super) fn all_of(
+    each: &[Candidate],
+    blanks: impl Fn(&Told) -> Vec<Blank>,
+    tell: fn(Blank) -> Told,
+) -> Option<Candidate> {
     if each.len() < 2 {
         return None;
     }
@@ -229,7 +233,7 @@ fn all_of(each: &[Candidate], blanks: impl Fn(&Told) -> Vec<Blank>, tell: fn(Bla
     Some(Candidate { edits, ..Candidate::at(told, step) })
 }
 
-fn first_blank(told: &Told) -> Vec<Blank> {
+pub(super) fn first_blank(told: &Told) -> Vec<Blank> {
     told.blanks.iter().map(|(_, blank)| blank.clone()).collect()
 }
 
@@ -267,7 +271,8 @@ pub(super) fn percussion(site: &Site<'_>) -> Vec<Candidate> {
 /// A couple left out of the moments: of a load, or what a guide hands on.
 pub(super) fn couple_forgotten(site: &Site<'_>) -> Vec<Candidate> {
     found(site, |drawn| {
-        let of_loads = drawn.loads();
+        // Friction that is left out is `friction-left-out`.
+        let of_loads = drawn.loads().filter(|(_, load)| !matches!(load.source, Source::Friction(_)));
         let mut all: Vec<Candidate> = of_loads
             .filter_map(|(index, load)| {
                 drawn.couple_times(index, 0.0, tell::couple_forgotten(drawn.couple_symbol(load)))

@@ -290,7 +290,7 @@ pub(super) fn crank_angle(site: &Site<'_>) -> Vec<Candidate> {
 }
 
 /// The joints plotted, and the guides drawn, in another pose.
-fn in_pose(site: &Site<'_>, pose: &Pose) -> Vec<Disturbance> {
+pub(super) fn in_pose(site: &Site<'_>, pose: &Pose) -> Vec<Disturbance> {
     let origin = site.model.construction.origin;
     let plotted = site.operations().filter_map(|(index, operation)| {
         let kind = match (operation.role, &operation.kind) {

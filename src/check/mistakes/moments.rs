@@ -18,16 +18,16 @@ const SHORTEST: f64 = 4.0;
 
 /// An arm that is measured: from the point about which moments are taken to the foot of the normal on a line of action.
 #[derive(Clone, Copy)]
-struct Arm {
+pub(super) struct Arm {
     /// The operation that measures it, and its number.
-    measured: usize,
-    number: NumberId,
-    about: PlaceId,
+    pub measured: usize,
+    pub number: NumberId,
+    pub about: PlaceId,
     foot: PlaceId,
     /// The normal.
     normal: LineId,
     /// Where the force acts.
-    at: PlaceId,
+    pub at: PlaceId,
     sheet: Sheet,
 }
 
@@ -55,15 +55,15 @@ fn arms(site: &Site<'_>) -> Vec<Arm> {
 }
 
 /// A sum of moments: the operation that computes it, what it finds, and its arms, the last one of the unknown where that is a force.
-struct Sum {
-    operation: usize,
-    finds: NumberId,
-    arms: Vec<Arm>,
+pub(super) struct Sum {
+    pub operation: usize,
+    pub finds: NumberId,
+    pub arms: Vec<Arm>,
     /// The arm by which is divided.
     divisor: Option<NumberId>,
 }
 
-fn sums(site: &Site<'_>) -> Vec<Sum> {
+pub(super) fn sums(site: &Site<'_>) -> Vec<Sum> {
     let all = arms(site);
     let sums = site.operations().filter_map(|(operation, done)| {
         let (finds, divisor) = match &done.kind {
@@ -93,7 +93,7 @@ impl Sum {
 }
 
 /// What is told of a sum: the symbol of what it finds.
-fn finds(drawn: &Drawn<'_>, number: NumberId) -> Blank {
+pub(super) fn finds(drawn: &Drawn<'_>, number: NumberId) -> Blank {
     let site = drawn.site;
     let name = site.number_name(number);
     if !name.is_empty() {

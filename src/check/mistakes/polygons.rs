@@ -4,6 +4,7 @@ use super::forces::{Drawn, found};
 use super::site::{Candidate, Site, instead, times};
 use super::told::{Blank, Told, tell};
 use crate::construction::{ForceOf, ForcePart, FoundForce, NumberId, OperationKind};
+use crate::forces::Source;
 use crate::sheet::Sheet;
 
 impl Drawn<'_> {
@@ -47,7 +48,14 @@ impl Drawn<'_> {
 
 /// A force left out of a polygon.
 pub(super) fn missing(site: &Site<'_>) -> Vec<Candidate> {
-    found(site, |drawn| drawn.in_polygon(0.0, tell::force_missing_in_polygon))
+    found(site, |drawn| {
+        let mut all = drawn.in_polygon(0.0, tell::force_missing_in_polygon);
+        // Friction that is left out is `friction-left-out`.
+        let friction = drawn.loads().filter(|(_, load)| matches!(load.source, Source::Friction(_)));
+        let friction: Vec<Blank> = friction.map(|(_, load)| drawn.load_symbol(load)).collect();
+        all.retain(|candidate| candidate.told.blanks.iter().all(|(_, blank)| !friction.contains(blank)));
+        all
+    })
 }
 
 /// A force laid off twice.

@@ -153,8 +153,8 @@ pub(super) fn wrong_side(site: &Site<'_>) -> Vec<Candidate> {
     let mut all = wheels.each(told, rows);
     // The velocity of the ring there, laid off in the plan.
     for (mesh, vector) in to_pitch_points(&wheels, false) {
-        let near = rows(&mesh)[0].clone();
-        for mut candidate in near.into_iter().flat_map(|row| wheels.instead(&told(&mesh), &[(mesh.joint, row)])) {
+        let near = rows(&mesh).into_iter().flatten();
+        for mut candidate in near.flat_map(|row| wheels.instead(&told(&mesh), &[(mesh.joint, row)])) {
             let side = inner(&mesh);
             let factor = 1.0 - 2.0 * mesh.teeth[side] / mesh.teeth[1 - side].abs();
             candidate.edits.push(times(vector.maker, vector.size, factor));

@@ -182,6 +182,16 @@ impl Told {
         ["done", "should"].map(|which| words.language.of_table(&format!("{}-{which}", self.key), &shown))
     }
 
+    /// What is told where values show the mistake, but not which of several wrong things was taken; `None` where nothing less can be told.
+    pub(in crate::check) fn wider(&self) -> Option<Told> {
+        match (self.key, self.blanks.as_slice()) {
+            ("moment_about_wrong_point", [(_, found), _, (_, right)]) => {
+                Some(tell::moment_about_another_point(found.clone(), right.clone()))
+            }
+            _ => None,
+        }
+    }
+
     /// Whether it tells the same of the same place; numbers may differ, as those of another scene.
     pub(crate) fn is_same_place(&self, other: &Told) -> bool {
         let is_number = |blank: &Blank| matches!(blank, Blank::Number(_));
