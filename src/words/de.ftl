@@ -1429,6 +1429,7 @@ editing-held_point = {$point} ist festgehalten
 editing-held_length = {$point} bewegt sich auf einem Kreis: {$length} ist festgehalten
 editing-held_angle = {$point} bewegt sich auf einer Geraden: der Winkel von Glied {$link} ist festgehalten
 editing-held_guide = {$point} bewegt sich auf einer Geraden: der Führung von {$slider}
+editing-held_rack = {$point} bewegt sich quer zur Führung: längs geht die Zahnstange mit ihrem Rad
 editing-held_nowhere = das Gelenk kann nicht dorthin
 editing-held_rounded = mit dem Gelenk an diesem Ort lassen gerundete Längen den anderen Gelenken keinen Platz nahe ihrem eigenen
 editing-held_try = ziehen Sie das Gelenk an einen anderen Ort

@@ -1462,6 +1462,7 @@ editing-held_point = {$point} is pinned
 editing-held_length = {$point} moves on a circle: {$length} is pinned
 editing-held_angle = {$point} moves on a line: the angle of link {$link} is pinned
 editing-held_guide = {$point} moves on a line: the guide of {$slider}
+editing-held_rack = {$point} moves across its guide: along it the rack goes with its wheel
 editing-held_nowhere = the joint cannot go there
 editing-held_rounded = with the joint there, rounded lengths leave the other joints no place near their own
 editing-held_try = pull the joint to another place

@@ -1427,6 +1427,7 @@ editing-held_point = {$point} está fijado
 editing-held_length = {$point} se mueve en una circunferencia: {$length} está fijada
 editing-held_angle = {$point} se mueve en una recta: el ángulo del eslabón {$link} está fijado
 editing-held_guide = {$point} se mueve en una recta: la guía de {$slider}
+editing-held_rack = {$point} se mueve a través de su guía: a lo largo de ella la cremallera va con su rueda
 editing-held_nowhere = la articulación no puede ir ahí
 editing-held_rounded = con la articulación ahí, las longitudes redondeadas no dejan a las demás articulaciones un lugar cerca del suyo
 editing-held_try = arrastre la articulación a otro lugar

@@ -1429,6 +1429,7 @@ editing-held_point = {$point} está fixado
 editing-held_length = {$point} se move em uma circunferência: {$length} está fixado
 editing-held_angle = {$point} se move em uma reta: o ângulo do elo {$link} está fixado
 editing-held_guide = {$point} se move em uma reta: a guia de {$slider}
+editing-held_rack = {$point} move-se através da sua guia: ao longo dela a cremalheira vai com a sua roda
 editing-held_nowhere = a junta não pode ir até ali
 editing-held_rounded = com a junta ali, os comprimentos arredondados não deixam às outras juntas um lugar perto do seu
 editing-held_try = puxe a junta para outro lugar
