@@ -12,7 +12,6 @@ use super::text::RichText;
 use super::view::{Extent, View, towards};
 use crate::construction::{
     Action, Construction, ForceOf, ForcePart, ForcePlan, ForceStep, NOTHING, Polygon, Side, SideKind, display,
-    plain_text,
 };
 use crate::geometry;
 use crate::mechanism::{BodyId, Mechanism};
@@ -55,9 +54,13 @@ pub(super) fn draw_starts(canvas: &mut Canvas<'_>, view: &View, context: &SheetC
         let Some(corner) = plan.corner(&name) else { continue };
         let (center, radius) = (view.at(corner.at.into()), 2.0 * context.surface.dims.dot);
         canvas.draw_named(&format!("point-{name}"), Pen::Pole, Shape::Circle { center, radius });
-        let links = plain_text(&context.teller().links_in_words(&polygon.links));
-        let label = RichText::math(&format!("{}: {links}", display(&name)));
+        let label = RichText::math(&display(&name));
         canvas.ask(&format!("{name}-"), LabelRequest::new(label, center, radius + 0.7, None, 2));
+        let links = RichText::plain(&context.teller().links_in_words(&polygon.links));
+        let request =
+            LabelRequest { priority: 0, ..LabelRequest::new(links, center, 4.0, Some(Vec2::new(0.0, -1.0)), 0) };
+        let wanted = Wanted::new(format!("links-{}", index + 1), request);
+        canvas.request_label(Wanted { pen: Pen::Caption, optional: true, last: true, ..wanted });
     }
 }
 
