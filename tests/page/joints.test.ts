@@ -39,7 +39,7 @@ test("a pair is carried by what both wheels have a pin on", () => {
   const one = does(train, "gear", "3", "2");
   assert.deepEqual(one.gears, [{ mesh: ["3", "2"], teeth: [20, 40], on: "1" }], "sun and planet on the arm");
   const two = does(one, "gear", "2", "ground");
-  assert.deepEqual(at(two, ["gears", 1]), { mesh: ["2", "ground"], teeth: [20, 40], on: "1" });
+  assert.deepEqual(at(two, ["gears", 1]), { mesh: ["2", "ground"], teeth: [40, 40], on: "1" }, "a wheel keeps its teeth");
   assert.deepEqual(wheels(two).map(({ title, role }) => [title, role]), [["3 with 2", "on 1"], ["2 with ground", "on 1"]]);
   // What slides on the carrier is a rack.
   const rolling = parsed(readFileSync("../tests/page/rolling.json", "utf8"))!;
@@ -50,6 +50,11 @@ test("a new wheel stands beside its partner, a new rack below it", () => {
   const train = template("planetary");
   const wheel = edits(train, "gear", "1", "+wheel");
   assert.deepEqual(wheel.map((edit) => Object.keys(edit)[0]), ["add_point", "add_link", "set"]);
+  // Beside a wheel of 40 teeth on one of 20, which is 60 mm from it: its rim has 40 mm there, and here.
+  const row = { ...template("gear-train"), ground: { A: [0, 0], B: [60, 0] }, links: { 1: ["A"], 2: ["B"] }, gears: [{ mesh: ["1", "2"], teeth: [20, 40], on: "ground" }] } as unknown as Draft;
+  const next = edits(row, "gear", "2", "+wheel");
+  assert.deepEqual(at(next[0], ["add_point", "at"]), [140, 0]);
+  assert.deepEqual(at(next[2], ["value", "teeth"]), [40, 40]);
   const pair = at(wheel[2], ["value"]);
   assert.deepEqual(pair, { mesh: ["1", "4"], teeth: [20, 40], on: "ground" });
   const [link, slider] = edits(train, "gear", "3", "+rack");

@@ -79,7 +79,7 @@ fn a_train_of_wheels_comes_changes_and_goes() {
     bench.choose("[data-path='gears.+'] select", "Link 2");
     bench.click("[data-path='gears.+'] button");
     bench.settle();
-    assert_eq!(bench.at("/gears/1/mesh"), json!(["2", "3"]));
+    assert_eq!([bench.at("/gears/1/mesh"), bench.at("/gears/1/teeth")], [json!(["2", "3"]), json!([60, 60])]);
     assert_eq!(refused(&mut bench), "", "{}", bench.scene());
     bench.picture("joints-wheels");
     bench.press_named("#panel-mechanism [data-path='gears.1']", "Remove");

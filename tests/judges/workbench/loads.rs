@@ -105,12 +105,19 @@ fn loads_fit_a_telephone() {
         "document.querySelectorAll(\"#panel-mechanism [data-path='forces'] .more\").forEach((more) => more.click())",
     );
     bench.settle();
+    // A table with its curve, too.
+    bench.value("document.querySelector(\"[data-path='forces.0.+over'] button\").click()");
+    bench.settle();
+    assert!(bench.at("/forces/0/over/table").is_array());
+    bench.value("document.querySelector(\"[data-path='forces.0.over']\").scrollIntoView({ block: 'center' })");
+    bench.frame();
+    bench.picture("loads-table-telephone");
     bench.value("document.querySelector(\"#panel-mechanism [data-path='forces']\").scrollIntoView()");
     bench.frame();
     bench.picture("loads-telephone");
     assert_eq!(bench.value("document.documentElement.scrollWidth"), 360);
     let wide = bench.value(&format!(
-        "[...document.querySelectorAll(\"{GROUP} :is(button, input, select, label)\")] \
+        "[...document.querySelectorAll(\"{GROUP} :is(button, input, select, label, textarea, svg)\")] \
          .filter((e) => e.getBoundingClientRect().right > 361).map((e) => e.className || e.tagName)"
     ));
     assert_eq!(wide, json!([]), "wider than the screen");
@@ -215,5 +222,35 @@ fn a_table_over_the_stroke_comes_changes_and_goes() {
     assert_eq!(bench.at("/forces/0/over/table/1/1"), 1, "the table to begin with");
     bench.press_named("#panel-mechanism [data-path='forces.0.over']", "Remove the table");
     assert!(bench.at("/forces/0/over").is_null());
+    bench.assert_quiet();
+}
+
+#[test]
+fn a_finger_loads_in_build() {
+    let text = files::read("templates/slider-crank.json");
+    let Some(mut bench) = Bench::closed("loads-finger", None) else { return };
+    bench.telephone([360, 640]);
+    bench.load("");
+    bench.put(&text);
+    bench.value("kinegon.app.show('')");
+    bench.click("#hand-build");
+    bench.until("document.querySelector('#build-stage')?.dataset.window !== undefined");
+    bench.settle();
+    bench.value("document.querySelector('#build .tools [data-value=load]').click()");
+    bench.settle();
+    let all = super::build::places(&mut bench);
+    let crank: Vec<_> = all.iter().filter(|(name, _)| name == "A" || name == "B").map(|(_, at)| *at).collect();
+    let middle = (crank[0] + crank[1]) * 0.5;
+    let at = super::build::on_screen(&mut bench, [middle.re, middle.im]);
+    bench.touch(&[&[at]]);
+    bench.settle();
+    assert_eq!(bench.at("/forces/0"), json!({ "on": "1", "couple": 1000 }), "{}", bench.scene());
+    let slider = all.iter().find(|(name, _)| name == "C").expect("a point").1;
+    let [x, y] = super::build::on_screen(&mut bench, [slider.re, slider.im]);
+    bench.touch(&[&[[x, y]], &[[x - 30.0, y]], &[[x - 70.0, y]]]);
+    bench.settle();
+    let load = bench.at("/forces/1");
+    assert!(load["on"] == "3" && load["force"][0].as_f64().is_some_and(|x| x < 0.0), "{load}");
+    bench.picture("loads-finger");
     bench.assert_quiet();
 }

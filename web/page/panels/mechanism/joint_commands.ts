@@ -35,11 +35,12 @@ export const JOINT_COMMANDS: Record<string, Command> = {
     if (second === "+rack") return withNewRack(present, first!);
     const { scene } = present;
     const on = ["ground", ...linksOf(scene)].find((body) => carries(scene, body, first!, second!));
-    if (on !== undefined) return [added(scene, "gears", { mesh: [first, second], teeth: [20, 40], on })];
+    const teeth = [teethOf(scene, first!) ?? 20, teethOf(scene, second!) ?? 40];
+    if (on !== undefined) return [added(scene, "gears", { mesh: [first, second], teeth, on })];
     const rolling = ["ground", ...linksOf(scene)].find((body) => centerOn(scene, first!, body) !== undefined && slides(scene, body, second!));
-    if (rolling !== undefined) return [added(scene, "gears", { mesh: [first, second], teeth: [20, "rack"], on: rolling, radius: usualRadius(present) })];
+    if (rolling !== undefined) return [added(scene, "gears", { mesh: [first, second], teeth: [teeth[0], "rack"], on: rolling, radius: usualRadius(present) })];
     // The engine says what is missing.
-    return [added(scene, "gears", { mesh: [first, second], teeth: [20, 40], on: carrierOf(scene, first!) })];
+    return [added(scene, "gears", { mesh: [first, second], teeth, on: carrierOf(scene, first!) })];
   },
   touch: (present, index, touch) => touched(present, Number(index), touch as Touch),
   contact: ({ scene, places }, first, second) => {
@@ -108,13 +109,42 @@ function radiiOf(apart: number): [number, number] {
   return [Number((whole - small).toPrecision(4)), small];
 }
 
+/** How many teeth a wheel has where it runs on another one already. */
+function teethOf(scene: Draft, wheel: string): number | null {
+  for (const pair of listOf(scene, "gears")) {
+    const which = [0, 1].find((index) => at(pair, ["mesh", index]) === wheel);
+    const teeth = which === undefined ? undefined : at(pair, ["teeth", which]);
+    if (typeof teeth === "number" && teeth !== 0) return Math.abs(teeth);
+  }
+  return null;
+}
+
+/** The rim of a wheel that meshes with another one: its teeth, and where the next wheel of the same size has its centre. */
+function rimOf(scene: Draft, places: Present["places"], wheel: string): { teeth: number; next: [number, number] } | null {
+  for (const pair of listOf(scene, "gears")) {
+    const [own, other] = at(pair, ["mesh", 0]) === wheel ? [0, 1] : [1, 0];
+    const body = (which: number): string => String(at(pair, ["mesh", which]));
+    const [mine, its] = [own, other].map((which) => at(pair, ["teeth", which]));
+    if (body(own!) !== wheel || typeof mine !== "number" || typeof its !== "number" || mine + its === 0) continue;
+    const on = String(at(pair, ["on"]));
+    const [to, from] = [own, other].map((which) => places.get(centerOn(scene, body(which!), on) ?? ""));
+    const apart = distance(from, to);
+    if (to === undefined || from === undefined || apart === 0) continue;
+    const part = Math.abs((2 * mine) / (mine + its));
+    return { teeth: Math.abs(mine), next: [0, 1].map((axis) => Number((to[axis]! + part * (to[axis]! - from[axis]!)).toPrecision(6))) as [number, number] };
+  }
+  return null;
+}
+
 /** A wheel beside another, on what carries that. */
 function withNewWheel({ scene, places }: Present, first: string): Edit[] {
   const on = carrierOf(scene, first);
   const center = centerOn(scene, first, on);
   const name = freePoint(scene);
-  const place = freshPlace(places, center === undefined ? [] : [center]);
-  const pair = { mesh: [first, freeLink(scene)], teeth: [20, 40], on };
+  const rim = rimOf(scene, places, first);
+  // Its rim is as large here as where it runs on another wheel already: one of the same size goes on in a row.
+  const place = rim?.next ?? freshPlace(places, center === undefined ? [] : [center]);
+  const pair = { mesh: [first, freeLink(scene)], teeth: rim === null ? [20, 40] : [rim.teeth, rim.teeth], on };
   return [{ add_point: { link: on, name, at: place } }, { add_link: { points: [{ name, at: place }] } }, added(scene, "gears", pair)];
 }
 
@@ -126,7 +156,7 @@ function withNewRack(present: Present, first: string): Edit[] {
   const radius = usualRadius(present);
   const name = freePoint(scene);
   const rack = freeLink(scene);
-  const pair = { mesh: [first, rack], teeth: [20, "rack"], on, radius };
+  const pair = { mesh: [first, rack], teeth: [teethOf(scene, first) ?? 20, "rack"], on, radius };
   return [{ add_link: { points: [{ name, at: [x, y - radius] }] } }, { add_slider: { link: rack, at: name, on, along: 0 } }, added(scene, "gears", pair)];
 }
 
