@@ -151,6 +151,13 @@ lever_turn = Den Geschwindigkeitsplan um 90° im Uhrzeigersinn drehen: er ist ei
 lever_turn_for = Die Geschwindigkeiten um 90° im Uhrzeigersinn drehen, während {$drive} mit Rate 1 läuft und die anderen Antriebe stehen: sie bilden einen Hebel.
 lever_arm = {$force} wirkt im Bild ihres Punktes: den Hebelarm messen.
 lever_effort = Momente um den Pol ergeben {$effort}: keine Gelenkkraft hat eines.
+speeds_train = Die Mittenlinie mit Mittelpunkten und Wälzpunkten im Längenmaßstab zeichnen; Geschwindigkeiten werden normal dazu abgetragen.
+speeds_given = Die Geschwindigkeiten von {$from} und {$to} abtragen: alle Geschwindigkeiten von {$link} auf der Mittenlinie enden auf der Geraden durch ihre Spitzen.
+speeds_line = {$from} und {$to} haben Geschwindigkeiten, die schon da sind: die von {$link} enden auf der Geraden durch ihre Spitzen.
+speeds_pole = Einen Punkt o wählen und darunter eine Grundlinie, in dem Abstand, der den Maßstab der Winkelgeschwindigkeiten rund macht.
+speeds_ray = Die Parallele durch o zur Geraden von {$link} schneidet {$rate} auf der Grundlinie ab.
+speeds_none = es gibt keinen Kutzbachplan: keine zwei Räder kämmen
+speeds_left_out = der Kutzbachplan gilt für die Mittenlinie durch {$line}; die Mittelpunkte der Räder bei {$meshes} liegen auf einer anderen Geraden
 
 # The figure.
 
@@ -163,6 +170,7 @@ acceleration_plan = Beschleunigungsplan
 centers = Momentanpole
 force_plan = Kräfteplan
 lever = Hebel
+speeds = Kutzbachplan
 far_away = {$point}: {$distance} von {$from}
 far_in_plan = bis {$point}: {$distance}
 cut_at_edge = am Rand abgeschnitten
@@ -210,12 +218,14 @@ named_acceleration_plan = Beschleunigungsplan
 named_centers = Momentanpole
 named_force_plan = Kräfteplan
 named_lever = Hebel
+named_speeds = Kutzbachplan
 described_scheme = der Mechanismus im Maßstab
 described_velocity_plan = sein Geschwindigkeitsplan
 described_acceleration_plan = sein Beschleunigungsplan
 described_centers = seine Momentanpole
 described_force_plan = sein Kräfteplan
 described_lever = sein Hebel
+described_speeds = sein Kutzbachplan
 described_group = Klasse {$class}, Glieder {$links}
 higher = über IV
 
@@ -1443,6 +1453,7 @@ drawing-acceleration_plan = der Beschleunigungsplan
 drawing-centers = die Figur der Momentanpole
 drawing-force_plan = Kräfteplan
 drawing-lever = Hebel
+drawing-speeds = Kutzbachplan
 drawing-overflow = {$panel} passt bei {$key} = {$given} nicht in sein Feld und ist dort abgeschnitten; {$fitting} passt, oder ein größeres Blatt
 drawing-no_scale = keiner
 drawing-cost_of_list = die Maßstäbe lassen Platz für die Ergebnisliste: {$scales}
@@ -2701,6 +2712,12 @@ page-sheets-lever_panel = Hebel
 page-sheets-lever_name = Hebel
 page-sheets-lever_title = Hebel
 page-sheets-lever_from = Aus dem Hebel
+page-sheets-speeds_short = Kutzbach
+page-sheets-speeds_scaled = Kutzbachplan
+page-sheets-speeds_panel = Kutzbachplan
+page-sheets-speeds_name = Kutzbachplan
+page-sheets-speeds_title = Kutzbachplan
+page-sheets-speeds_from = Aus dem Kutzbachplan
 
 
 ## The workbench: refused

@@ -149,6 +149,13 @@ lever_turn = Se gira el plano de velocidades 90° en sentido horario: es una pal
 lever_turn_for = Se giran las velocidades 90° en sentido horario, mientras {$drive} marcha a velocidad 1 y los demás accionamientos están parados: forman una palanca.
 lever_arm = {$force} actúa en la imagen de su punto: se mide su brazo.
 lever_effort = Los momentos respecto al polo dan {$effort}: ninguna reacción tiene momento.
+speeds_train = Se dibuja la línea de centros con centros y puntos primitivos a la escala de longitudes; las velocidades se llevan normales a ella.
+speeds_given = Se llevan las velocidades de {$from} y {$to}: todas las velocidades de {$link} en la línea de centros terminan en la recta por sus extremos.
+speeds_line = {$from} y {$to} tienen velocidades ya conocidas: las de {$link} terminan en la recta por sus extremos.
+speeds_pole = Se elige un punto o y una base debajo, a la distancia que hace redonda la escala de velocidades angulares.
+speeds_ray = La paralela por o a la recta de {$link} corta {$rate} en la base.
+speeds_none = no hay diagrama de Kutzbach: no engranan dos ruedas
+speeds_left_out = el diagrama de Kutzbach es el de la línea de centros por {$line}; los centros de las ruedas de {$meshes} están en otra recta
 
 # The figure.
 
@@ -161,6 +168,7 @@ acceleration_plan = Plano de aceleraciones
 centers = Centros instantáneos
 force_plan = Plano de fuerzas
 lever = Palanca
+speeds = Diagrama de Kutzbach
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = hasta {$point}: {$distance}
 cut_at_edge = recortado en el borde
@@ -208,12 +216,14 @@ named_acceleration_plan = plano de aceleraciones
 named_centers = centros instantáneos
 named_force_plan = plano de fuerzas
 named_lever = palanca
+named_speeds = diagrama de Kutzbach
 described_scheme = el mecanismo a escala
 described_velocity_plan = su plano de velocidades
 described_acceleration_plan = su plano de aceleraciones
 described_centers = sus centros instantáneos
 described_force_plan = su plano de fuerzas
 described_lever = su palanca
+described_speeds = su diagrama de Kutzbach
 described_group = clase {$class}, eslabones {$links}
 higher = superior
 
@@ -1441,6 +1451,7 @@ drawing-acceleration_plan = el plano de aceleraciones
 drawing-centers = la figura de centros instantáneos
 drawing-force_plan = plano de fuerzas
 drawing-lever = palanca
+drawing-speeds = diagrama de Kutzbach
 drawing-overflow = {$panel} no cabe en su panel con {$key} = {$given} y queda recortado; cabe con {$fitting}, o en una hoja mayor
 drawing-no_scale = ninguna
 drawing-cost_of_list = las escalas dejan espacio para la lista de resultados: {$scales}
@@ -2699,6 +2710,12 @@ page-sheets-lever_panel = Palanca
 page-sheets-lever_name = palanca
 page-sheets-lever_title = Palanca
 page-sheets-lever_from = De la palanca
+page-sheets-speeds_short = Kutzbach
+page-sheets-speeds_scaled = Kutzbach
+page-sheets-speeds_panel = Diagrama de Kutzbach
+page-sheets-speeds_name = diagrama de Kutzbach
+page-sheets-speeds_title = Diagrama de Kutzbach
+page-sheets-speeds_from = Del diagrama de Kutzbach
 
 
 ## The workbench: refused

@@ -151,6 +151,13 @@ lever_turn = Gira-se o plano de velocidades 90° no sentido horário: é uma ala
 lever_turn_for = Giram-se as velocidades 90° no sentido horário, enquanto {$drive} anda à taxa 1 e os outros acionamentos param: formam uma alavanca.
 lever_arm = {$force} atua na imagem do seu ponto: mede-se o braço.
 lever_effort = Os momentos em relação ao polo dão {$effort}: nenhuma reação tem momento.
+speeds_train = Traça-se a linha dos centros com centros e pontos primitivos na escala dos comprimentos; as velocidades marcam-se normais a ela.
+speeds_given = Marcam-se as velocidades de {$from} e {$to}: todas as velocidades de {$link} na linha dos centros terminam na reta pelas suas pontas.
+speeds_line = {$from} e {$to} têm velocidades já conhecidas: as de {$link} terminam na reta pelas suas pontas.
+speeds_pole = Escolhe-se um ponto o e uma base por baixo, à distância que torna redonda a escala das velocidades angulares.
+speeds_ray = A paralela por o à reta de {$link} corta {$rate} na base.
+speeds_none = não há diagrama de Kutzbach: não há duas rodas que engrenem
+speeds_left_out = o diagrama de Kutzbach é o da linha dos centros por {$line}; os centros das rodas em {$meshes} estão noutra reta
 
 # The figure.
 
@@ -163,6 +170,7 @@ acceleration_plan = Polígono de acelerações
 centers = Centros instantâneos
 force_plan = Plano de forças
 lever = Alavanca
+speeds = Diagrama de Kutzbach
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = até {$point}: {$distance}
 cut_at_edge = cortado na borda
@@ -210,12 +218,14 @@ named_acceleration_plan = polígono de acelerações
 named_centers = centros instantâneos
 named_force_plan = plano de forças
 named_lever = alavanca
+named_speeds = diagrama de Kutzbach
 described_scheme = o mecanismo em escala
 described_velocity_plan = seu polígono de velocidades
 described_acceleration_plan = seu polígono de acelerações
 described_centers = seus centros instantâneos
 described_force_plan = o seu plano de forças
 described_lever = a sua alavanca
+described_speeds = o seu diagrama de Kutzbach
 described_group = classe {$class}, elos {$links}
 higher = superior
 
@@ -1443,6 +1453,7 @@ drawing-acceleration_plan = polígono de acelerações
 drawing-centers = a figura de centros instantâneos
 drawing-force_plan = plano de forças
 drawing-lever = alavanca
+drawing-speeds = diagrama de Kutzbach
 drawing-overflow = o {$panel} não cabe no seu painel com {$key} = {$given} e fica cortado ali; cabe com {$fitting}, ou em uma folha maior
 drawing-no_scale = nenhuma
 drawing-cost_of_list = as escalas deixam espaço para a lista de resultados: {$scales}
@@ -2701,6 +2712,12 @@ page-sheets-lever_panel = Alavanca
 page-sheets-lever_name = alavanca
 page-sheets-lever_title = Alavanca
 page-sheets-lever_from = Da alavanca
+page-sheets-speeds_short = Kutzbach
+page-sheets-speeds_scaled = Kutzbach
+page-sheets-speeds_panel = Diagrama de Kutzbach
+page-sheets-speeds_name = diagrama de Kutzbach
+page-sheets-speeds_title = Diagrama de Kutzbach
+page-sheets-speeds_from = Do diagrama de Kutzbach
 
 
 ## The workbench: refused
