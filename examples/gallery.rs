@@ -19,7 +19,7 @@ use std::fs;
 use support::files as repository;
 
 /// Kinds of `kinegon new` in its order, their scenes, and what each teaches.
-const KINDS: [(&str, &str, &str); 26] = [
+const KINDS: [(&str, &str, &str); 33] = [
     (
         "four-bar",
         "templates/four-bar.json",
@@ -46,6 +46,11 @@ const KINDS: [(&str, &str, &str); 26] = [
         "Three links on one pin; the ram slows down, and its force grows, as the toggle straightens.",
     ),
     (
+        "friction-press",
+        "templates/friction-press.json",
+        "Coulomb friction: forces touch the circles of friction at the pins, and lean at the guide by its angle.",
+    ),
+    (
         "geared-five-bar",
         "templates/geared-five-bar.json",
         "Two cranks on wheels that mesh: the second turns twice as fast, the other way, and a dyad adds both.",
@@ -61,6 +66,16 @@ const KINDS: [(&str, &str, &str); 26] = [
         "The planet rolls in the fixed ring: from its centre and its pitch point at rest to the sun's rim, on one velocity line.",
     ),
     (
+        "planetary-sun-fixed",
+        "templates/planetary-sun-fixed.json",
+        "The same wheels as an overdrive: the planet rolls on the fixed sun and takes the ring along.",
+    ),
+    (
+        "planetary-carrier-fixed",
+        "templates/planetary-carrier-fixed.json",
+        "The same wheels with the carrier held: ordinary gear pairs, and the ring turns the other way.",
+    ),
+    (
         "differential",
         "templates/differential.json",
         "Sun and ring drive: the planet's angular velocity from its two pitch points, then the arm's.",
@@ -69,6 +84,26 @@ const KINDS: [(&str, &str, &str); 26] = [
         "reverted-train",
         "templates/reverted-train.json",
         "A planet with two rims between two suns, of which one is fixed.",
+    ),
+    (
+        "sun-and-planet",
+        "templates/sun-and-planet.json",
+        "The planet is fast on the rod of a four-bar linkage: the sun turns twice in each turn of the arm, a little faster and slower.",
+    ),
+    (
+        "rack-and-pinion",
+        "templates/rack-and-pinion.json",
+        "A wheel rolls on a fixed rack, its lowest point at rest: the rack above moves twice as fast as its centre.",
+    ),
+    (
+        "loaded-train",
+        "templates/loaded-train.json",
+        "Polygons of the forces on each wheel: the pin of the wheel between carries both forces of its teeth.",
+    ),
+    (
+        "geneva",
+        "templates/geneva.json",
+        "A slot that ends: the wheel moves for a quarter of the crank's turn and rests for the others.",
     ),
     (
         "eccentric-cam",
@@ -147,7 +182,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 34] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 33] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -285,13 +320,6 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 34] = [
         "tests/cams/profiles.json",
         "draw scene.json",
         "Two profiles of which the contact alone is known, as drawn: arcs about their centres of curvature, and the link that is equivalent to them.",
-        Kind::Figure(|_| ()),
-    ),
-    (
-        "geneva",
-        "tests/cams/geneva.json",
-        "draw scene.json",
-        "A Geneva wheel by the slot that is engaged, with its ends: in which part of a turn it moves stands below.",
         Kind::Figure(|_| ()),
     ),
     (

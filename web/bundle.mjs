@@ -3,6 +3,7 @@ import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { build } from "esbuild";
+import { base116 } from "./page/base116.mjs";
 import { sources } from "./sources.mjs";
 import { xz } from "./xz.mjs";
 
@@ -31,26 +32,8 @@ async function bundled(entry) {
   return made.outputFiles[0].text;
 }
 
-/** Bytes as letters that HTML and templates leave alone: five of 85 letters for four bytes, a sixteenth shorter than Base64. `bytesOf` of page/unpack.ts reads them. */
-function base85(bytes) {
-  const letters = [...Array(94).keys()].map((code) => String.fromCharCode(33 + code)).filter((letter) => !"<>&\"'\\`{}".includes(letter));
-  let text = "";
-  for (let at = 0; at < bytes.length; at += 4) {
-    const count = Math.min(4, bytes.length - at);
-    let number = 0;
-    for (let index = 0; index < 4; index += 1) number = number * 256 + (index < count ? bytes[at + index] : 0);
-    let group = "";
-    for (let index = 0; index < 5; index += 1) {
-      group = letters[number % 85] + group;
-      number = Math.floor(number / 85);
-    }
-    text += group.slice(0, count + 1);
-  }
-  return text;
-}
-
 /** A text or bytes, packed. */
-const packed = (contents) => base85(xz(contents));
+const packed = (contents) => base116(xz(contents));
 
 const [boot, script, worker, style] = await Promise.all(["boot.ts", "main.ts", "engine/worker.ts", "style.css"].map(bundled));
 if (/<\/script|<!--/i.test(boot)) throw new Error("the script would end its element");

@@ -71,6 +71,9 @@ pub(super) struct Draw {
     #[arg(long, value_name = "filled|blank", num_args = 0..=1, require_equals = true, default_missing_value = "filled",
         value_enum, hide_possible_values = true)]
     worksheet: Option<WorkSheet>,
+    /// Put Willis' table of the trains of wheels beside the panels.
+    #[arg(long)]
+    willis: bool,
     /// Draw the paths of these points over the whole cycle of the drive, as "F, M", in place of those that the scene's
     /// figure names.
     #[arg(long, value_name = "POINTS")]
@@ -217,6 +220,7 @@ impl Draw {
         self.look.put_into(figure);
         self.markers.put_into(figure);
         figure.worksheet = (figure.worksheet || self.worksheet.is_some()) && !self.is_blank();
+        figure.willis |= self.willis;
         figure.values = self.values.or(figure.values);
         if !self.trace.is_empty() {
             figure.trace = split_names(&self.trace);

@@ -11,11 +11,17 @@ use super::sheet::{Drawing, Pen};
 use super::text::CAPTION;
 use super::view::{Extent, View, on_sheet, towards};
 use crate::construction::display;
-use crate::editing::{Draft, DraftGuide, DraftLink, DraftSlider};
+use crate::editing::{Draft, DraftCircle, DraftGuide, DraftLink, DraftLoad, DraftSlider};
 use crate::geometry;
 use crate::scene::Figure;
 use indexmap::IndexMap;
 use kurbo::{Point, Rect, Vec2};
+use std::f64::consts::{PI, TAU};
+
+/// Length of a force's arrow; radius and angle of the arc of a couple, in mm and radians.
+const FORCE: f64 = 12.0;
+const COUPLE_RADIUS: f64 = 3.6;
+const COUPLE_SWEEP: f64 = 3.6;
 
 /// What of a [`Draft`] is drawn: the part of a screen, the place in its middle in the scene's units, and how many pixels one of them is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,6 +83,9 @@ impl OnSheet<'_> {
         for slider in &self.draft.sliders {
             self.guide(canvas, slider);
         }
+        for circle in &self.draft.circles {
+            self.circle(canvas, circle);
+        }
         for (name, point) in &self.draft.points {
             if point.is_fixed {
                 self.support(canvas, name, self.view.at(point.at));
@@ -92,6 +101,9 @@ impl OnSheet<'_> {
             self.turning(canvas, link);
         }
         self.joints(canvas);
+        for (index, load) in self.draft.loads.iter().enumerate() {
+            self.load(canvas, index, load);
+        }
         for link in &self.draft.links {
             self.name(canvas, link);
         }
@@ -204,6 +216,38 @@ impl OnSheet<'_> {
         let (start, sweep) = (libm::atan2(arm.y, arm.x) + sense * 0.35, sense * 1.5);
         let shape = Shape::ArcArrow { center, radius: 7.5, start, sweep, head: canvas.dims.head };
         canvas.draw_named(&format!("omega-{}", link.name), Pen::Turning, shape);
+    }
+
+    /// A pitch circle or a round profile, as two half circles: unlike a full one they leave the inside free for labels.
+    fn circle(&self, canvas: &mut Canvas<'_>, circle: &DraftCircle) {
+        let center = self.view.at(circle.at);
+        let radius = circle.radius / self.view.mu();
+        for start in [0.0, PI] {
+            canvas.draw(Pen::Guide, Shape::Arc { center, radius, start, sweep: PI });
+        }
+    }
+
+    /// A force as an arrow from where it acts, a couple as an arc with a head: loads have no scale.
+    fn load(&self, canvas: &mut Canvas<'_>, index: usize, load: &DraftLoad) {
+        let at = self.view.at(load.at);
+        let name = format!("load-{}", index + 1);
+        if load.couple != 0.0 {
+            let sense = -load.couple.signum();
+            let start = PI + 0.5 * (TAU - COUPLE_SWEEP) * sense;
+            let (radius, head) = (COUPLE_RADIUS, canvas.dims.head);
+            let arc = Shape::ArcArrow { center: at, radius, start, sweep: sense * COUPLE_SWEEP, head };
+            canvas.draw_named(&name, Pen::Acceleration, arc);
+        }
+        let along = (load.force.norm() > 0.0).then(|| on_sheet(load.force).normalize());
+        if let Some(along) = along {
+            let arrow = canvas.arrow(at, at + along * FORCE);
+            canvas.draw_named(&name, Pen::Acceleration, arrow);
+        }
+        let (end, prefer) = match along {
+            Some(along) => (at + along * FORCE, along),
+            None => (at + Vec2::new(0.6, -0.8) * COUPLE_RADIUS, Vec2::new(0.6, -0.8)),
+        };
+        canvas.label(&format!("load {}", index + 1), &load.name, end, 1.0, Some(prefer), 2);
     }
 
     fn joints(&self, canvas: &mut Canvas<'_>) {

@@ -9,6 +9,7 @@ use super::remarks;
 use super::sheet::Drawing;
 use super::values::{Listed, value_list};
 use super::view::Series;
+use super::willis;
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::shown_text;
@@ -127,7 +128,8 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
             }
             _ => (None, said(0.0)),
         };
-        return sheet.with_optional(values).with(said).with_optional(ruler);
+        let willis = willis::table(context).filter(|_| table.is_none());
+        return sheet.with_optional(willis).with_optional(values).with(said).with_optional(ruler);
     };
     // On the sheets of steps values come after the last one.
     let after = Some(context.construction().step_count() as u16 + 1);

@@ -111,6 +111,7 @@ mod table;
 mod text;
 mod values;
 mod view;
+mod willis;
 mod words;
 mod worksheet;
 

@@ -19,6 +19,10 @@ pub struct Draft {
     pub links: Vec<DraftLink>,
     /// The sliders, in the order of the text.
     pub sliders: Vec<DraftSlider>,
+    /// Pitch circles of wheels, and circles of curvature of profiles that touch.
+    pub circles: Vec<DraftCircle>,
+    /// The forces and couples.
+    pub loads: Vec<DraftLoad>,
     /// Whether the scene can be solved for its position.
     pub is_complete: bool,
 }
@@ -67,6 +71,28 @@ pub struct DraftGuide {
     pub along: Vector,
 }
 
+/// A circle of a [`Draft`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DraftCircle {
+    /// Its centre in the fixed frame.
+    pub at: Point,
+    /// Its radius, positive.
+    pub radius: f64,
+}
+
+/// A force or a couple of a [`Draft`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct DraftLoad {
+    /// Its name.
+    pub name: String,
+    /// Where it acts.
+    pub at: Point,
+    /// The force in the fixed frame; zero of a couple.
+    pub force: Vector,
+    /// The couple, counter-clockwise positive.
+    pub couple: f64,
+}
+
 impl Draft {
     /// What a text tells.
     ///
@@ -100,6 +126,8 @@ impl Draft {
             points: points.collect(),
             links: links.collect(),
             sliders: sliders.collect(),
+            circles: sketch.circles(),
+            loads: sketch.loads(),
             is_complete: present.solved().is_some(),
         })
     }
@@ -133,9 +161,9 @@ pub(super) fn sliders(scene: &Json) -> &[Json] {
 
 /// A text with its names and what is known of its places.
 pub(super) struct Sketch {
-    scene: Json,
-    names: Names,
-    present: Present,
+    pub(super) scene: Json,
+    pub(super) names: Names,
+    pub(super) present: Present,
 }
 
 /// How many blocks may carry each other before a guide counts as unknown.
@@ -159,7 +187,7 @@ impl Sketch {
         Some(DraftGuide { through: self.through(slider, at)?, along: self.along(slider, DEPTH)? })
     }
 
-    fn place(&self, name: &str) -> Option<Point> {
+    pub(super) fn place(&self, name: &str) -> Option<Point> {
         self.present.places.get(name).copied()
     }
 
@@ -186,7 +214,7 @@ impl Sketch {
     /// The direction of the guide.
     fn along(&self, slider: &Json, depth: usize) -> Option<Vector> {
         let on = slider["on"].as_str()?;
-        let axis = || if on == "ground" { Some(Vector::x()) } else { self.axis(on, depth) };
+        let axis = || if on == "ground" { Some(Vector::x()) } else { self.axis_within(on, depth) };
         match &slider["along"] {
             Json::String(key) => {
                 let (from, to) = pair(key, self.names.of_carrier(on))?;
@@ -205,7 +233,11 @@ impl Sketch {
     }
 
     /// The direction of a link's axis: between its first two points; of a block along its guide.
-    fn axis(&self, link: &str, depth: usize) -> Option<Vector> {
+    pub(super) fn axis(&self, link: &str) -> Option<Vector> {
+        self.axis_within(link, DEPTH)
+    }
+
+    fn axis_within(&self, link: &str, depth: usize) -> Option<Vector> {
         if let Some(shape) = self.scene["links"][link]["shape"].as_object() {
             return Some(self.present.placement(link, shape)?.rotation * Vector::x());
         }

@@ -18,6 +18,7 @@
 mod add;
 mod document;
 mod draft;
+mod draft_parts;
 mod drop;
 #[doc(hidden)] // for tests
 pub mod measure;
@@ -32,14 +33,14 @@ pub mod says;
 mod tables;
 
 pub use add::{Along, NewLink, NewPoint, NewSlider, PlacedPoint, blank};
-pub use draft::{Draft, DraftGuide, DraftLink, DraftPoint, DraftSlider};
+pub use draft::{Draft, DraftCircle, DraftGuide, DraftLink, DraftLoad, DraftPoint, DraftSlider};
 pub use names::Named;
 pub use placed::{apply_in_place, with_places};
 pub use position::{with_mode, with_position};
 pub use present::places;
 #[doc(inline)]
 pub use reshape::{Pins, Reshape, Reshaped};
-pub use tables::{TableInFile, tables_in_files, with_table};
+pub use tables::{TableInFile, lines_of_table, tables_in_files, with_table};
 
 use crate::scene::{Figure, Scene, SceneError, figure_keys};
 use document::Document;

@@ -30,6 +30,18 @@ messages! { "editing":
     no_point(name);
     no_link(name);
 
+    // Tables of loads in files.
+    table_no_number(line, column);
+    table_one_column;
+    table_line;
+    table_unnamed;
+    table_head;
+    table_no_column(load);
+    table_nameless;
+    table_name;
+    table_long(most);
+    table_shorten;
+
     // Why a joint that is pulled does not follow the hand.
     held_point(point);
     held_length(point, length);

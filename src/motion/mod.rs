@@ -47,12 +47,14 @@ mod refine;
 pub mod says;
 mod singular;
 mod solve;
+mod train;
 
 pub use moving::Places;
 pub(crate) use moving::guide_error;
 pub use refine::ClosedForm;
 pub use singular::{Standing, drive_stands};
 pub use solve::motion;
+pub use train::{Train, TrainWheel};
 
 pub(crate) use moving::{BoundedMotion, State};
 pub(crate) use reach::Reach;

@@ -19,6 +19,7 @@ mod poles;
 mod reading;
 #[doc(hidden)] // for tests
 pub mod says;
+mod turning;
 mod unit;
 mod value;
 
@@ -33,4 +34,5 @@ pub use name::{
     step_names,
 };
 pub use reading::{Reading, Sense, Unread, read_by_hand};
+pub use turning::turning_names;
 pub use value::{Quantity, Snapshot, State};

@@ -47,6 +47,8 @@ pub struct Figure {
     pub page: Page,
     /// Whether it is a work sheet: with a table of all measured lengths and a ruler to test the printer; left out: false.
     pub worksheet: bool,
+    /// Whether Willis' table of the trains of wheels stands beside the panels; not on a work sheet. Left out: false.
+    pub willis: bool,
     /// How lines and letters look; left out: "paper".
     #[schemars(with = "Option<StyleName>")]
     pub style: StyleName,
@@ -123,7 +125,7 @@ pub struct Figure {
 }
 
 write_keys!(Figure {
-    panels, mu, scales, focus, page, worksheet, style, notation, sliding, coriolis, center_letter, frame, turned, language,
+    panels, mu, scales, focus, page, worksheet, willis, style, notation, sliding, coriolis, center_letter, frame, turned, language,
     decimal, labels, special_points, construction, values, step, trace, beyond_limits, centrodes, inflection, ghosts, centers, velocities, curvature, markers; sizes, usual_values
 } unless Figure::default());
 
@@ -159,6 +161,7 @@ impl Default for Figure {
             focus: None,
             page: Page::default(),
             worksheet: false,
+            willis: false,
             style: StyleName::default(),
             notation: NotationName::default(),
             sliding: SlidingName::default(),

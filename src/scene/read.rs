@@ -285,7 +285,9 @@ impl Scene {
     pub fn check_shown(&self) -> Result<(), SceneError> {
         let (names, figure) = (Names::new(&self.ground, &self.links), &self.figure);
         let traced = check_traced(self.movable(), &names, &self.sliders, figure);
-        traced.and_then(|()| check_centers(&names, figure)).map_err(Wrong::without_place)
+        let shown =
+            traced.and_then(|()| check_centers(&names, figure)).and_then(|()| check_willis(&self.gears, figure));
+        shown.map_err(Wrong::without_place)
     }
 
     /// Whether it can be followed to other positions.
@@ -307,6 +309,14 @@ fn check_frame(links: &IndexMap<String, Link>, figure: &Figure) -> Result<(), Wr
     match figure.frame.map(FrameName::as_str).filter(|frame| links.contains_key(*frame)) {
         Some(frame) => Err(Wrong::value(&["frame"], says::frame_is_link(frame)).hint(says::other_frame())),
         None => Ok(()),
+    }
+}
+
+/// Refuses a table of trains where no wheels mesh.
+fn check_willis(gears: &[Gear], figure: &Figure) -> Result<(), Wrong> {
+    match figure.willis && !gears.iter().any(|gear| gear.rack.is_none()) {
+        true => Err(Wrong::value(&["willis"], says::no_train()).hint(says::add_gears())),
+        false => Ok(()),
     }
 }
 
@@ -383,6 +393,7 @@ fn check(file: SceneFile, text: &str, mut digits: Digits) -> Result<Scene, Wrong
     check_traced(Movable::of(given_by, &contacts), &names, &sliders, &figure)
         .map_err(|wrong| wrong.inside(&["figure"]))?;
     check_centers(&names, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
+    check_willis(&gears, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_form(file.form.as_ref())?;
     if let Some(hints) = file.hints.filter(|hints| *hints > MOST_HINTS) {
         return Err(Wrong::value(&["hints"], says::no_hints(hints)).hint(says::hints_from_0(MOST_HINTS)));

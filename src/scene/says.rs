@@ -258,6 +258,8 @@ messages! { "scene":
     two_wheels(count);
     meshed_twice(first, second);
     remove_one_mesh;
+    no_train;
+    add_gears;
     meshes_with_itself(wheel);
     wheel_carries_itself(wheel);
     name_the_carrier;

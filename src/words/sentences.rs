@@ -285,6 +285,12 @@ sentences! {
     curves;
     /// Title of the path of a vector's tip over the cycle.
     hodograph(vector);
+
+    // The columns of Willis' table.
+    willis_all;
+    willis_turns;
+    willis_held;
+    willis_together;
     angle;
     angular_velocity;
     rotational_speed;

@@ -753,7 +753,7 @@ fn slots_are_as_deep_as_they_are_said_to_be() {
 /// The part of the turn is told; guides without ends are not touched.
 #[test]
 fn the_engaged_part_of_a_turn_is_told() {
-    let text = std::fs::read_to_string(files::path("tests/cams/geneva.json")).expect("the scene can be read");
+    let text = std::fs::read_to_string(files::path("templates/geneva.json")).expect("the scene can be read");
     let s = solution(&serde_json::from_str(&text).expect("JSON"));
     let said = "The slot is engaged at angle(1) from -45° to 45°, 90° of a turn; for the other 270° it dwells.";
     let said = said.replace('-', "\u{2212}");
@@ -762,7 +762,7 @@ fn the_engaged_part_of_a_turn_is_told() {
     assert_ne!(text, without);
     let s = solution(&serde_json::from_str(&without).expect("JSON"));
     let result = s.result();
-    assert_eq!((result.sliders["B/3"].engaged, result.notes.len()), (None, 0));
+    assert_eq!((result.sliders["B/2"].engaged, result.notes.len()), (None, 0));
     let mut path = Path::new(&s.mechanism, &s.pose, Drive::new(&s.mechanism, None).expect("a drive")).expect("regular");
     path.cover(None, None).expect("it goes round");
     assert!(path.engagement().is_none() && path.end(true).is_none());

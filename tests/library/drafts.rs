@@ -58,6 +58,59 @@ fn guides_blocks_and_drives_stand_as_in_the_scheme() {
 }
 
 #[test]
+fn wheels_have_the_circles_that_their_teeth_make() {
+    let radii = |text: &str| -> Vec<f64> {
+        let circles = Draft::of(text).expect("JSON").circles;
+        circles.iter().map(|circle| libm::round(circle.radius * 1e9) / 1e9).collect()
+    };
+    // Arm of 60 mm: 20 teeth in a ring of 80, 40 on 20.
+    let planetary = files::read("templates/planetary.json");
+    assert_eq!(radii(&planetary), [20.0, 80.0, 40.0, 20.0]);
+    // Also where it has no position yet.
+    let loose = planetary.replace("\"AB\": 60", "\"AB\": 60, \"XY\": 1").replace("\"drive\"", "\"note\"");
+    let told = loose.replace("\"ground\": {", "\"near\": { \"B\": [0, 30] },\n  \"ground\": {");
+    assert!(!Draft::of(&told).expect("JSON").is_complete);
+    assert_eq!(radii(&told), [10.0, 40.0, 20.0, 10.0]);
+    // A disc and its roller.
+    let cam = files::read("templates/eccentric-cam.json");
+    assert_eq!(radii(&cam), [40.0, 12.0]);
+    let arcs = drawn(&cam, [8.0, 40.0], 4.0).marks.into_iter().filter(|mark| matches!(mark.shape, Shape::Arc { .. }));
+    assert!(arcs.count() >= 4, "each circle is drawn, as two halves");
+    // A wheel on a rack; belts have the radii that they say.
+    let rolling = files::read("tests/page/rolling.json").replace(
+        "\"along\": 0 }]",
+        r#""along": 0 }], "gears": [{ "mesh": ["2", "ground"], "teeth": [20, "rack"], "radius": 17, "on": "1" }]"#,
+    );
+    assert_eq!(radii(&rolling), [17.0]);
+}
+
+#[test]
+fn loads_stand_where_they_act() {
+    let loads = r#""forces": [
+    { "on": "2", "at": 75, "force": { "size": 20, "angle": -90 } },
+    { "on": "1", "couple": -300 },
+    { "name": "P", "on": "1", "at": "B", "force": [3, 0], "turns": true }
+  ],
+  "near""#;
+    let text = files::read("templates/slider-crank.json").replacen("\"near\"", loads, 1);
+    let text = text.replacen("\"time\": \"s\"", "\"time\": \"s\", \"force\": \"N\"", 1);
+    let draft_of = Draft::of(&text).expect("JSON");
+    let names: Vec<&str> = draft_of.loads.iter().map(|load| load.name.as_str()).collect();
+    assert_eq!(names, ["F1", "M1", "P"]);
+    let [a, b, c] = ["A", "B", "C"].map(|point| draft_of.points[point].at);
+    // The coupler is 150 mm long.
+    assert!((draft_of.loads[0].at - (b + (c - b) / 2.0)).norm() < 1e-6);
+    assert!((draft_of.loads[0].force.x).abs() < 1e-9 && (draft_of.loads[0].force.y + 20.0).abs() < 1e-9);
+    assert!((draft_of.loads[1].at - (a + (b - a) / 2.0)).norm() < 1e-9, "a couple stands in the middle of its link");
+    // Along the crank.
+    assert!((draft_of.loads[2].force - (b - a).normalize() * 3.0).norm() < 1e-9);
+    let drawing = drawn(&text, [80.0, 20.0], 3.0);
+    for id in ["build-load-1", "build-load-2", "build-load-3"] {
+        assert!(middle(&drawing, id).is_some(), "{id}");
+    }
+}
+
+#[test]
 fn any_text_is_drawn_without_a_fault() {
     for text in [
         "{}",

@@ -7,6 +7,7 @@ use kinegon::Solution;
 use kinegon::centers::LinkPair;
 use kinegon::cycle::{Drive, Path};
 use kinegon::geometry::{Place, Point, Vector, turn_of_degrees};
+use kinegon::motion::Train;
 use kinegon::quantity::Quantity;
 use serde_json::{Value, json};
 use support::comparison::{decimal, entries};
@@ -127,6 +128,59 @@ fn planetary_trains_keep_to_willis_formula() {
                 let found = number(&s, &format!("{}({link})", ["angle", "omega", "alpha"][order]));
                 let off = if order == 0 { apart(found, truth) } else { (found - truth).abs() };
                 assert!(off <= 1e-11 * truth.abs().max(100.0), "{link}: {found}, {truth}\n{scene}");
+            }
+        }
+    }
+}
+
+/// Willis' table: what each wheel turns against the carrier is the fraction of the teeth on the way to it, worked out here in whole numbers, and with the
+/// carrier's angular velocity it adds up to that of the motion. Two carriers give two trains.
+#[test]
+fn wheels_turn_against_their_carrier_as_teeth_say() {
+    for seed in 0..COUNT {
+        let dice = &mut Random(seed);
+        let (sun, planet) = (teeth(dice), teeth(dice));
+        let ring = sun + 2 * planet;
+        let other = [teeth(dice), teeth(dice)];
+        let scene = json!({ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [3, 4], "D": [90, 4] },
+            "links": {
+                "arm": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "angle": angle(dice), "omega": dice.coarse() } },
+                "planet": { "points": ["B"] },
+                "sun": { "points": ["A"] },
+                "out": { "points": ["D"] } },
+            "gears": [
+                { "mesh": ["planet", "ground"], "teeth": [planet, -ring], "on": "arm" },
+                { "mesh": ["sun", "planet"], "teeth": [sun, planet], "on": "arm" },
+                { "mesh": ["sun", "out"], "teeth": other, "on": "ground" } ] });
+        let s = solution(&scene);
+        let trains = Train::all(&s.mechanism);
+        assert_eq!(trains.len(), 2, "{scene}");
+        let name = |body| s.mechanism.body(body).name.as_str();
+        let wheels =
+            |index: usize| trains[index].wheels.iter().map(|wheel| (name(wheel.body), wheel.turns)).collect::<Vec<_>>();
+        let [sun, planet, ring] = [sun, planet, ring].map(i128::from);
+        let other = other.map(i128::from);
+        // The same fractions, not in lowest terms: a · d = b · c.
+        let same = |[a, b]: [i128; 2], [c, d]: [i128; 2]| b > 0 && a * d == b * c;
+        let is_first = wheels(0).iter().all(|(name, turns)| match *name {
+            "planet" => same(*turns, [1, 1]),
+            "sun" => same(*turns, [-planet, sun]),
+            _ => same(*turns, [planet, ring]),
+        });
+        let is_second = wheels(1)
+            .iter()
+            .all(|(name, turns)| same(*turns, if *name == "sun" { [1, 1] } else { [-other[0], other[1]] }));
+        assert!(is_first && is_second && wheels(0).len() == 3 && wheels(1).len() == 2, "{:?}\n{scene}", trains);
+        for train in &trains {
+            let omega = |body| s.motion.body(body).omega;
+            let held = omega(train.wheels[0].body) - omega(train.carrier);
+            for wheel in &train.wheels {
+                let sum = omega(train.carrier) + wheel.ratio() * held;
+                assert!(
+                    (sum - omega(wheel.body)).abs() < 1e-12 * (1.0 + held.abs()) * 100.0,
+                    "{}\n{scene}",
+                    name(wheel.body)
+                );
             }
         }
     }

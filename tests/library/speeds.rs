@@ -5,8 +5,9 @@ use crate::gears::{number, solution};
 use kinegon::construction::Tolerance;
 use kinegon::cycle::{Drive, Path, Steps, Sweep};
 use kinegon::geometry::Point;
-use kinegon::quantity::{Quantity, QuantityRequest, pencil};
+use kinegon::quantity::{Quantity, QuantityRequest, pencil, turning_names};
 use serde_json::{Value, json};
+use support::files;
 use support::random::Random;
 use support::stages::solved;
 
@@ -206,4 +207,29 @@ fn a_hand_computes_them_from_its_rates() {
     assert!(close(band("i(3,1)").band, band("omega(3)").band / 3.0));
     assert!(close(band("rpm(3)").band, band("omega(3)").band * 30.0 / core::f64::consts::PI));
     assert!(pencil.band("rpm(1)").is_none(), "the scene gives it");
+}
+
+/// Where several links turn, these quantities are offered, each of which has a value; where one alone does, none are.
+#[test]
+fn what_turns_is_offered() {
+    let offered = |text: &str| {
+        let solution = solution(&serde_json::from_str(text).expect("JSON"));
+        let names = turning_names(&solution.mechanism);
+        for name in &names {
+            QuantityRequest::new(name, &solution.mechanism).expect(name);
+        }
+        names
+    };
+    let train = offered(&files::read("templates/planetary.json"));
+    let mut wanted =
+        ["i(2,1)", "i(3,1)", "omega(2/1)", "alpha(2/1)", "omega(3/1)", "alpha(3/1)", "rpm(1)", "rpm(2)", "rpm(3)"];
+    wanted.sort_unstable();
+    let mut found = train.clone();
+    found.sort_unstable();
+    assert_eq!(found, wanted);
+    assert_eq!(offered(&files::read("templates/four-bar.json")), ["i(3,1)"], "crank and rocker turn in the frame");
+    assert_eq!(offered(&files::read("templates/slider-crank.json")), [""; 0]);
+    // Wheels on the frame have no arm against which they turn.
+    let plain = offered(&files::read("templates/gear-train.json"));
+    assert!(plain.iter().all(|name| name.starts_with("i(") || name.starts_with("rpm(")), "{plain:?}");
 }

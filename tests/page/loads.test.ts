@@ -2,11 +2,12 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
-import type { Edit } from "../../web/page/engine/types.ts";
+import type { Drafted } from "../../web/page/engine/types.ts";
 import { LOAD_COMMANDS } from "../../web/page/panels/mechanism/load_commands.ts";
 import { loads } from "../../web/page/panels/mechanism/loads.ts";
 import type { Field } from "../../web/page/panels/parts/form.ts";
 import { at, hasLoads, parsed, type Draft } from "../../web/page/panels/parts/scene.ts";
+import { after } from "./edited.ts";
 
 const PLACES = new Map<string, [number, number]>([["A", [0, 0]], ["B", [30, 40]], ["C", [130, 40]], ["D", [160, 0]]]);
 
@@ -14,23 +15,8 @@ function scene(): Draft {
   return parsed(readFileSync("../templates/four-bar.json", "utf8"))!;
 }
 
-/** The scene after changes, as the engine would make them. */
-function after(scene: Draft, edits: Edit[]): Draft {
-  const next = structuredClone(scene);
-  for (const each of edits) {
-    const path = "set" in each ? each.set : "remove" in each ? each.remove : [];
-    const last = path.at(-1)!;
-    let around = next as Record<string | number, unknown>;
-    for (const key of path.slice(0, -1)) around = (around[key] ??= {}) as typeof around;
-    if ("set" in each) around[last] = each.value;
-    else if (Array.isArray(around)) around.splice(Number(last), 1);
-    else delete around[last];
-  }
-  return next;
-}
-
 function does(from: Draft, name: string, ...given: string[]): Draft {
-  return after(from, LOAD_COMMANDS[name]!({ scene: from, places: PLACES }, ...given));
+  return after(from, LOAD_COMMANDS[name]!({ scene: from, places: PLACES, drafted: { sliders: [] } as unknown as Drafted }, ...given));
 }
 
 test("the first force brings its unit and its plan, the next neither", () => {

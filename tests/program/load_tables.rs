@@ -67,9 +67,9 @@ fn what_is_wrong_in_a_table_is_told_with_its_place() {
     for (index, (text, message)) in [
         ("0,1\n90,two\n", "gas.csv: line 2, column 2: there is no number"),
         ("0,1\n90\n", "gas.csv: line 2, column 2: there is no number"),
-        ("0\n1\n", "gas.csv has no second column"),
-        ("0,1,2\n", "gas.csv has more than two columns, and its first line does not name them"),
-        ("angle,p,q\n0,1,2\n", "gas.csv has no column for `gas`"),
+        ("0\n1\n", "gas.csv: there is no second column"),
+        ("0,1,2\n", "gas.csv: there are more than two columns, and the first line does not name them"),
+        ("angle,p,q\n0,1,2\n", "gas.csv: there is no column for `gas`"),
         ("90,1\n0,2\n", "over.table"),
         ("0,inf\n1,2\n", "gas.csv: line 1, column 2: there is no number"),
     ]

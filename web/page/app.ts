@@ -46,8 +46,8 @@ export interface App {
   pins: Signal<Pins>;
   /** Whether the hand Build is chosen: in place of the picture the mechanism is put together. */
   building: Signal<boolean>;
-  /** A point or a link whose card in the form of the mechanism is to be seen; `types`: and its number typed. The panel sets it to null. */
-  card: Signal<{ of: "point" | "link"; name: string; types: boolean } | null>;
+  /** A point, a link or a load (by its number from 0) whose card in the form of the mechanism is to be seen; `types`: and its number typed. The panel sets it to null. */
+  card: Signal<{ of: "point" | "link" | "load"; name: string; types: boolean } | null>;
   /** Whether the page was opened by a student's link, which shows no answers by itself. */
   student: Signal<boolean>;
   /** The exercise that the student's scene is; null where the link names none. */

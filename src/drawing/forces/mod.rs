@@ -43,15 +43,15 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
 }
 
 /// The steps with which things appear.
-struct ForceSteps {
+pub(in crate::drawing) struct ForceSteps {
     /// By polygon and side.
-    sides: Vec<Vec<u16>>,
+    pub(in crate::drawing) sides: Vec<Vec<u16>>,
     /// By polygon and side: the step that draws its direction.
     directions: Vec<Vec<Option<u16>>>,
 }
 
 impl ForceSteps {
-    fn of(context: &SheetContext<'_>, plan: &ForcePlan) -> ForceSteps {
+    pub(in crate::drawing) fn of(context: &SheetContext<'_>, plan: &ForcePlan) -> ForceSteps {
         let mut steps = ForceSteps {
             sides: plan.polygons.iter().map(|polygon| vec![0; polygon.sides.len()]).collect(),
             directions: plan.polygons.iter().map(|polygon| vec![None; polygon.sides.len()]).collect(),

@@ -2,10 +2,11 @@
 //! the steps that take moments the lines of action with their arms. Loads have no scale: their sizes stand in the plan.
 
 use super::on_paper::SchemeOnPaper;
-use crate::construction::{Action, ForcePlan, ForceStep, Found, LoadShown, Moment, NOTHING};
+use crate::construction::{Action, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, NOTHING};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::clipped_segment;
 use crate::drawing::context::Purpose;
+use crate::drawing::forces::ForceSteps;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
@@ -13,7 +14,7 @@ use crate::drawing::text::RichText;
 use crate::drawing::view::{on_sheet, towards};
 use crate::forces::{Source, friction_circles};
 use crate::geometry;
-use crate::mechanism::{BodyId, Role};
+use crate::mechanism::{BodyId, JointId, Role};
 use kurbo::{Point, Vec2};
 
 /// Length of a load's arrow, in mm; that of weights and inertia forces is shorter.
@@ -25,6 +26,8 @@ const SWEEP: f64 = 3.6;
 const AROUND: f64 = 1.6;
 /// How far a line of action goes on beyond its foot, in mm.
 const BEYOND: f64 = 3.0;
+/// Half the length of a line that touches a circle of friction, in mm.
+const ACTION: f64 = 12.0;
 /// Radius of a centre of mass, in mm.
 const CENTER: f64 = 0.9;
 
@@ -66,6 +69,9 @@ impl SchemeOnPaper<'_> {
             );
         }
         self.torques(canvas, plan);
+        if self.context.purpose == Purpose::Figure {
+            self.lines_at_circles(canvas, plan);
+        }
         canvas.step = 0;
     }
 
@@ -92,6 +98,33 @@ impl SchemeOnPaper<'_> {
             let radius = radius / self.view.mu();
             canvas.draw(Pen::Special, Shape::Circle { center: self.at(pin), radius });
         }
+    }
+
+    /// Where pins have friction: the lines of what they carry with it, each from the step that finds the force on.
+    fn lines_at_circles(&self, canvas: &mut Canvas<'_>, plan: &ForcePlan) {
+        let steps = ForceSteps::of(self.context, plan);
+        let mut drawn: Vec<JointId> = Vec::new();
+        let sides = plan.polygons.iter().zip(&steps.sides).flat_map(|(polygon, steps)| polygon.sides.iter().zip(steps));
+        for (side, step) in sides {
+            let ForceOf::Joint { joint, on, part: ForcePart::Whole } = side.of else { continue };
+            let vector = side.vector;
+            let is_its = |load: &&LoadShown| load.source == Source::Friction(joint) && load.body == on;
+            let Some(friction) = plan.loads.iter().find(is_its).filter(|load| load.couple != 0.0) else { continue };
+            if drawn.contains(&joint) {
+                continue;
+            }
+            drawn.push(joint);
+            // About the pin the force has the moment of the couple.
+            let size = vector.norm();
+            let touch = friction.at - geometry::quarter_turn(vector / size) * (friction.couple / size);
+            let along = on_sheet(vector).normalize() * ACTION;
+            let touch = self.view.at(touch);
+            if let Some((from, to)) = clipped_segment(canvas.room(), touch - along, touch + along) {
+                canvas.step = *step;
+                canvas.draw_named(&format!("line-{}", drawn.len()), Pen::Ray, Shape::Line(from, to));
+            }
+        }
+        canvas.step = 0;
     }
 
     /// A force, its arrow where there is most room: from the place where it acts, or to it.

@@ -31,6 +31,7 @@ fn files_are_those_of_the_program() {
             ("json", "figure", &["solve", "-"]),
             ("steps", "figure", &["steps", "-"]),
             ("csv", "figure", &["sweep", "-"]),
+            ("pdf", "figure", &["draw", "-", "-o", "-", "--format", "pdf"]),
         ] {
             if format == "csv" && is_drawn {
                 continue;

@@ -105,14 +105,152 @@ fn loads_fit_a_telephone() {
         "document.querySelectorAll(\"#panel-mechanism [data-path='forces'] .more\").forEach((more) => more.click())",
     );
     bench.settle();
+    // A table with its curve, too.
+    bench.value("document.querySelector(\"[data-path='forces.0.+over'] button\").click()");
+    bench.settle();
+    assert!(bench.at("/forces/0/over/table").is_array());
+    bench.value("document.querySelector(\"[data-path='forces.0.over']\").scrollIntoView({ block: 'center' })");
+    bench.frame();
+    bench.picture("loads-table-telephone");
     bench.value("document.querySelector(\"#panel-mechanism [data-path='forces']\").scrollIntoView()");
     bench.frame();
     bench.picture("loads-telephone");
     assert_eq!(bench.value("document.documentElement.scrollWidth"), 360);
     let wide = bench.value(&format!(
-        "[...document.querySelectorAll(\"{GROUP} :is(button, input, select, label)\")] \
+        "[...document.querySelectorAll(\"{GROUP} :is(button, input, select, label, textarea, svg)\")] \
          .filter((e) => e.getBoundingClientRect().right > 361).map((e) => e.className || e.tagName)"
     ));
     assert_eq!(wide, json!([]), "wider than the screen");
+    bench.assert_quiet();
+}
+
+#[test]
+fn a_force_is_drawn_and_a_couple_tapped_in_build() {
+    let Some(mut bench) = Bench::of("loads-build", &files::read("templates/slider-crank.json")) else { return };
+    bench.panel("mechanism");
+    bench.press("b");
+    bench.until("document.activeElement.id === 'build-stage'");
+    bench.settle();
+    let place = |bench: &mut Bench, point: &str| {
+        let all = super::build::places(bench);
+        let at = all.into_iter().find(|(name, _)| name == point).expect("a point").1;
+        [at.re, at.im]
+    };
+    let [x, y] = place(&mut bench, "C");
+    let fine = bench.number("Number(document.querySelector('#build .seen button').textContent.match(/[\\d.]+/)[0])");
+    super::build::tool(&mut bench, "load");
+    super::build::drag(&mut bench, [x, y], [x - 12.0 * fine, y + 5.0 * fine]);
+    let load = bench.at("/forces/0");
+    assert_eq!([&load["on"], &load["at"], &load["force"]], [&json!("3"), &json!("C"), &json!([-120, 50])], "{load}");
+    assert_eq!(bench.at("/units/force"), "N");
+    bench.until("document.querySelector(\"[data-path='forces.0']\") !== null");
+    // It is seen, and its card is.
+    assert_eq!(bench.value("document.querySelector('#build .drawn [id*=\"load-1\"]') !== null"), true);
+    // Along the coupler: halfway, as a distance along it.
+    let [a, b] = [place(&mut bench, "B"), place(&mut bench, "C")];
+    let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+    super::build::drag(&mut bench, middle, [middle[0], middle[1] - 8.0 * fine]);
+    let load = bench.at("/forces/1");
+    let half = 0.5 * libm::hypot(b[0] - a[0], b[1] - a[1]);
+    let at = load["at"].as_f64().expect("a distance");
+    assert!(load["on"] == "2" && (at - half).abs() < 0.02 * half, "{load} {half}");
+    // A tap on the crank is a couple.
+    let origin = place(&mut bench, "A");
+    super::build::click(&mut bench, [0.5 * (origin[0] + a[0]), 0.5 * (origin[1] + a[1])]);
+    assert_eq!(bench.at("/forces/2"), json!({ "on": "1", "couple": 1000 }));
+    bench.picture("loads-build");
+    bench.press("Control+z");
+    bench.settle();
+    assert!(bench.at("/forces/2").is_null());
+    // An empty place carries nothing.
+    super::build::click(&mut bench, [x + 30.0 * fine, y + 30.0 * fine]);
+    assert!(bench.at("/forces/2").is_null());
+    // By keys: the cross on a joint, Enter, arrows, Enter.
+    bench.value("document.querySelector('#build-stage').focus()");
+    bench.press("9");
+    bench.press("PageDown");
+    bench.settle();
+    bench.press("Enter");
+    bench.settle();
+    for _ in 0..4 {
+        bench.press("ArrowUp");
+    }
+    bench.press("Enter");
+    bench.settle();
+    let load = bench.at("/forces/2");
+    assert!(load["force"][1].as_f64().is_some_and(|up| up > 0.0), "{load}");
+    bench.assert_quiet();
+}
+
+#[test]
+fn a_table_over_the_stroke_comes_changes_and_goes() {
+    let Some(mut bench) = opened("loads-table") else { return };
+    bench.choose("[data-path='forces.+'] select", "link 3 at C");
+    bench.click("[data-path='forces.+'] button");
+    bench.settle();
+    bench.click("[data-path='forces.0'] button.more");
+    bench.settle();
+    bench.choose("[data-path='forces.0.+over'] select", "position of 3/ground");
+    bench.click("[data-path='forces.0.+over'] button");
+    bench.settle();
+    assert_eq!(bench.at("/forces/0/over/of"), "position(3/ground)");
+    assert_eq!(bench.value("kinegon.app.solved.value.refused"), json!(null), "{}", bench.scene());
+    // Lines as a spreadsheet pastes them: semicolons, decimal commas, a head.
+    let table = "[data-path='forces.0.over.table'] textarea";
+    bench.value(&format!("document.querySelector(\"{table}\").focus()"));
+    bench.press("Control+a");
+    bench.insert("place;factor\n60;0\n90,5;1,5\n150;0,25");
+    bench.press("Tab");
+    bench.settle();
+    assert_eq!(bench.at("/forces/0/over/table"), json!([[60, 0], [90.5, 1.5], [150, 0.25]]));
+    assert_eq!(bench.value("document.querySelectorAll(\"[data-path='forces.0.over.table'] svg path\").length"), 2);
+    bench.picture("loads-table");
+    // What is no number is told at the field, and the scene stays.
+    bench.value(&format!("document.querySelector(\"{table}\").focus()"));
+    bench.press("Control+a");
+    bench.insert("60, 0\n90, much");
+    bench.press("Tab");
+    bench.settle();
+    let told = bench.text("document.querySelector(\"[data-path='forces.0.over.table'] .why\")?.textContent ?? ''");
+    assert!(told.contains("line 2, column 2"), "{told:?}");
+    assert_eq!(bench.at("/forces/0/over/table/1"), json!([90.5, 1.5]));
+    bench.choose("[data-path='forces.0.over.of'] select", "angle of 1");
+    assert_eq!(bench.at("/forces/0/over/of"), "angle(1)");
+    bench.press("Control+z");
+    bench.press("Control+z");
+    bench.settle();
+    assert_eq!(bench.at("/forces/0/over/table/1/1"), 1, "the table to begin with");
+    bench.press_named("#panel-mechanism [data-path='forces.0.over']", "Remove the table");
+    assert!(bench.at("/forces/0/over").is_null());
+    bench.assert_quiet();
+}
+
+#[test]
+fn a_finger_loads_in_build() {
+    let text = files::read("templates/slider-crank.json");
+    let Some(mut bench) = Bench::closed("loads-finger", None) else { return };
+    bench.telephone([360, 640]);
+    bench.load("");
+    bench.put(&text);
+    bench.value("kinegon.app.show('')");
+    bench.click("#hand-build");
+    bench.until("document.querySelector('#build-stage')?.dataset.window !== undefined");
+    bench.settle();
+    bench.value("document.querySelector('#build .tools [data-value=load]').click()");
+    bench.settle();
+    let all = super::build::places(&mut bench);
+    let crank: Vec<_> = all.iter().filter(|(name, _)| name == "A" || name == "B").map(|(_, at)| *at).collect();
+    let middle = (crank[0] + crank[1]) * 0.5;
+    let at = super::build::on_screen(&mut bench, [middle.re, middle.im]);
+    bench.touch(&[&[at]]);
+    bench.settle();
+    assert_eq!(bench.at("/forces/0"), json!({ "on": "1", "couple": 1000 }), "{}", bench.scene());
+    let slider = all.iter().find(|(name, _)| name == "C").expect("a point").1;
+    let [x, y] = super::build::on_screen(&mut bench, [slider.re, slider.im]);
+    bench.touch(&[&[[x, y]], &[[x - 30.0, y]], &[[x - 70.0, y]]]);
+    bench.settle();
+    let load = bench.at("/forces/1");
+    assert!(load["on"] == "3" && load["force"][0].as_f64().is_some_and(|x| x < 0.0), "{load}");
+    bench.picture("loads-finger");
     bench.assert_quiet();
 }

@@ -16,6 +16,7 @@ mod documents;
 mod film;
 mod gestures;
 mod hostile;
+mod joints;
 mod keyboard;
 mod lesson;
 mod loads;

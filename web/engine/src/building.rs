@@ -89,6 +89,11 @@ pub fn edited(text: &str, edits: &[Edit]) -> Result<String, Refused> {
     editing::apply_in_place(text, edits).map_err(|error| Refused::of(text, error))
 }
 
+/// The lines of the table of a load of this name, which may be empty.
+pub fn load_table(table: &str, load: &str) -> Result<Vec<[f64; 2]>, Refused> {
+    editing::lines_of_table(table, Some(load).filter(|load| !load.is_empty())).map_err(Refused::whole)
+}
+
 /// The scene's text with points elsewhere.
 pub fn moved(text: &str, moves: &Moves) -> Result<String, Refused> {
     editing::with_places(text, moves).map_err(|error| Refused::of(text, error))

@@ -6,7 +6,7 @@ use kinegon::cycle::every_name;
 use kinegon::drawing::{FigureSheets, RichText, SheetLabels};
 use kinegon::format::{self, html_text};
 use kinegon::mechanism::Mechanism;
-use kinegon::quantity::{QuantityName, QuantityRequest, force_names, measured_names};
+use kinegon::quantity::{QuantityName, QuantityRequest, force_names, measured_names, turning_names};
 use kinegon::scene::{Argument, GivenBy, SizeLimit};
 use kinegon::words::Wording;
 use kinegon::{Sheet, Solution, order_of_result};
@@ -32,6 +32,7 @@ impl Desk {
         });
         let (scene, mechanism) = (&solution.scene, &solution.mechanism);
         let mut quantities = every_name(mechanism);
+        quantities.extend(turning_names(mechanism));
         quantities.extend(force_names(mechanism));
         quantities.extend(measured_names(&solution.construction));
         let named = |name: &String| quantity(name, mechanism);
@@ -93,10 +94,10 @@ fn quantity(name: &str, mechanism: &Mechanism) -> Quantity {
         |of| Quantity { name: name.to_owned(), head: "".into(), inside: "".into(), part: "".into(), of, is_vector };
     let Some(written) = QuantityName::parse(name) else { return plain(Owner::Others) };
     let of = match written.head.argument(0) {
-        Argument::Link => Owner::Link,
+        Argument::Link if written.arguments.len() == 1 => Owner::Link,
         Argument::Slider => Owner::Slider,
         Argument::Point if written.arguments.len() == 1 => Owner::Point,
-        Argument::Point | Argument::Load | Argument::Nothing => Owner::Others,
+        Argument::Link | Argument::Point | Argument::Load | Argument::Nothing => Owner::Others,
     };
     let (head, inside) = (written.head.word(), written.subject());
     Quantity { head: head.into(), part: written.tail().into(), inside, ..plain(of) }

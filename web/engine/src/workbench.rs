@@ -107,6 +107,14 @@ impl Engine {
         plain(self.desk.language(), asked::<Vec<Edit>>(edits).and_then(|edits| building::edited(text, &edits)))
     }
 
+    /// The lines of a load's table, each a place and a factor, as a spreadsheet writes them; of several columns that with the load's name.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn load_table(&self, table: &str, load: &str) -> Result<String, String> {
+        answer(self.desk.language(), building::load_table(table, load))
+    }
+
     /// The scene's text with points at other places.
     ///
     /// # Errors

@@ -3,7 +3,7 @@ import type { App } from "../app.ts";
 import { speak } from "../layout/messages.ts";
 import { edit } from "../panels/parts/edits.ts";
 import { newId } from "../panels/parts/fields.ts";
-import { pointsOn } from "../panels/parts/scene.ts";
+import { listOf, pointsOn } from "../panels/parts/scene.ts";
 import { copied, pasted, type Chosen } from "./copied.ts";
 import { NOTHING, type Model } from "./model.ts";
 import type { Place } from "./sight.ts";
@@ -29,11 +29,15 @@ export function toggled({ points, links }: Chosen, press: Press): Chosen {
   return { points: turned(points, press.point), links: press.point === null ? turned(links, press.link) : links };
 }
 
+function isFormSeen(app: App): boolean {
+  return app.shown.value !== "" && window.innerWidth >= 960;
+}
+
 /** Opens the card of what was pressed in the form of the mechanism; `types`: so that its number can be typed. */
 export function reveal(app: App, { point, link }: Press, types: boolean): void {
   if (point === null && link === null) return;
   // A panel that is folded away stays so, unless its numbers are asked for.
-  if (types || (app.shown.value !== "" && window.innerWidth >= 960)) app.show("mechanism");
+  if (types || isFormSeen(app)) app.show("mechanism");
   app.card.set({ of: point === null ? "link" : "point", name: point ?? link!, types });
 }
 
@@ -59,20 +63,27 @@ export async function clicked(app: App, model: Model, press: Press): Promise<voi
   }
   const from = model.begun.value;
   if (from === null) return begin(app, model, press);
-  await went(model, from, press);
+  await went(app, model, from, press);
+}
+
+/** A tap of a finger or a mouse: of the tool that loads a couple, else a click. */
+export async function tapped(app: App, model: Model, press: Press): Promise<void> {
+  const isCouple = model.tool.value === "load" && model.begun.value === null && model.scaling.value === null;
+  await (isCouple ? went(app, model, press, press) : clicked(app, model, press));
 }
 
 function begin(app: App, model: Model, press: Press): void {
   const tool = model.tool.value;
-  if (tool === "third" && press.link === null) return app.tell(say("needs_link"));
+  if ((tool === "third" && press.link === null) || (tool === "load" && press.link === null && press.point === null)) return app.tell(say("needs_link"));
   model.begun.set(press);
 }
 
 /** A tool that went from one place to another. */
-export async function went(model: Model, from: Press, to: Press): Promise<void> {
+export async function went(app: App, model: Model, from: Press, to: Press): Promise<void> {
   model.begun.set(null);
   const there = model.present();
-  if (there !== null) await model.make(drawn(model.tool.value, there, from, to, model.choices.value));
+  if (there === null || !(await model.make(drawn(model.tool.value, there, from, to, model.choices.value)))) return;
+  if (model.tool.value === "load" && isFormSeen(app)) app.card.set({ of: "load", name: String(listOf(there.scene, "forces").length), types: false });
 }
 
 /** Removes what is chosen, as one entry of undo: what goes with something else is gone already. */

@@ -4,7 +4,8 @@ import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import { stateLine, toolRows } from "./bar.ts";
 import { menu } from "./menu.ts";
-import { model, NOTHING, placesIn } from "./model.ts";
+import { placesIn } from "./hit.ts";
+import { model, NOTHING } from "./model.ts";
 import { stage } from "./stage.ts";
 
 export function build(app: App): void {

@@ -1,7 +1,7 @@
 /** Mouse, pen and fingers on the stage. */
 import type { App } from "../app.ts";
 import { fingers } from "../look/fingers.ts";
-import { clicked, isChosen, only, pointsOfChosen, reveal, toggled, went } from "./acting.ts";
+import { clicked, isChosen, only, pointsOfChosen, reveal, tapped, toggled, went } from "./acting.ts";
 import { NOTHING, type Held, type Model } from "./model.ts";
 import type { Pixels, Place } from "./sight.ts";
 import { DRAWN, type Press } from "./tools.ts";
@@ -125,9 +125,9 @@ export function hands(app: App, model: Model, stage: SVGSVGElement, menu: (press
     if (model.scaling.value !== null) return clicked(app, model, pressAt(pixels, reach));
     if (!was.hasMoved) {
       if (was.shift && model.tool.value === "select") return model.chosen.set(toggled(model.chosen.value, press));
-      return clicked(app, model, press);
+      return tapped(app, model, press);
     }
-    if (DRAWN.includes(model.tool.value)) return went(model, press, pressAt(pixels, reach));
+    if (DRAWN.includes(model.tool.value)) return went(app, model, press, pressAt(pixels, reach));
     if (model.tool.value === "select" && was.shift) return chooseIn(was.start, pixels);
   }
 

@@ -1,9 +1,14 @@
 /** What is at a place of the stage. */
+import type { Drafted } from "../engine/types.ts";
 import { linksOf, pointsOn, type Draft } from "../panels/parts/scene.ts";
 import type { Place } from "./sight.ts";
 
 /** Places of points, by name. */
 export type Places = ReadonlyMap<string, Place>;
+
+export function placesIn(drafted: Drafted): Places {
+  return new Map(drafted.points.map(({ name, at }): [string, Place] => [name, at]));
+}
 
 /** The point at a place. */
 export function pointAt(places: Places, [x, y]: Place, reach: number): string | null {

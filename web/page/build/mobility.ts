@@ -1,6 +1,6 @@
 /** How many motions a mechanism is free to make, counted as it is taught: what it needs to be complete. */
 import type { Refused } from "../engine/types.ts";
-import { allPoints, at, groundOf, isDrawn, linksOf, pointsOn, slidersOf, type Draft } from "../panels/parts/scene.ts";
+import { allPoints, at, groundOf, isDrawn, linksOf, listOf, pointsOn, slidersOf, type Draft } from "../panels/parts/scene.ts";
 import { said } from "../refused.ts";
 import { say } from "./words.ts";
 
@@ -13,14 +13,15 @@ export interface Mobility {
   drives: number;
 }
 
-/** A pin takes two for each link beyond its first, a block on a guide two, a pin in a slot one. */
+/** A pin takes two for each link beyond its first, a block on a guide two, a pin in a slot one; a pair of wheels and a contact of two profiles one. */
 export function mobility(scene: Draft): Mobility {
   const links = linksOf(scene);
   const bodies = new Map(allPoints(scene).map((name) => [name, 0]));
   for (const carrier of ["ground", ...links]) for (const name of pointsOn(scene, carrier)) bodies.set(name, (bodies.get(name) ?? 0) + 1);
   const sliders = slidersOf(scene);
   const pins = [...bodies.values()].reduce((sum, count) => sum + 2 * Math.max(0, count - 1), 0);
-  const taken = pins + sliders.reduce<number>((sum, slider) => sum + (at(slider, ["pin"]) === undefined ? 2 : 1), 0);
+  const rolling = listOf(scene, "gears").length + listOf(scene, "contacts").length;
+  const taken = pins + rolling + sliders.reduce<number>((sum, slider) => sum + (at(slider, ["pin"]) === undefined ? 2 : 1), 0);
   const driven = [...links.map((name) => at(scene, ["links", name])), ...sliders].filter((part) => at(part, ["drive"]) !== undefined);
   return { links: links.length, taken, free: 3 * links.length - taken, drives: driven.length };
 }

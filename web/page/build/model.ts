@@ -10,7 +10,7 @@ import { newest } from "../state/newest.ts";
 import { signal, type Signal } from "../state/signal.ts";
 import type { Chosen, Copied } from "./copied.ts";
 import type { Photograph } from "./ground.ts";
-import { linkAt, pointAt, type Places } from "./hit.ts";
+import { linkAt, placesIn, pointAt } from "./hit.ts";
 import { short, sight, type Place, type Sight, type Sighted } from "./sight.ts";
 import type { Choices, Follows, Press, Present, Tool } from "./tools.ts";
 import { say } from "./words.ts";
@@ -70,10 +70,6 @@ const SAME = 0.05;
 /** Half the width of a block, in the height of letters. */
 const BLOCK = 0.8;
 
-export function placesIn(drafted: Drafted): Places {
-  return new Map(drafted.points.map(({ name, at }): [string, Place] => [name, at]));
-}
-
 export function model(app: App): Model {
   const own = sight();
   const shown = signal<Shown | null>(null);
@@ -99,7 +95,7 @@ export function model(app: App): Model {
 
   function present(): Present | null {
     const scene = parsed(app.history.now.value.text);
-    return scene === null || shown.value === null ? null : { scene, drafted: shown.value.drafted, places: placesIn(shown.value.drafted) };
+    return scene === null || shown.value === null ? null : { scene, drafted: shown.value.drafted, places: placesIn(shown.value.drafted), grain: own.grid().fine };
   }
 
   async function fresh(): Promise<void> {

@@ -11,8 +11,9 @@ import { buildKeys } from "./keys.ts";
 import { crossShape } from "./cross.ts";
 import { gridShapes, lineShapes, photoShape } from "./ground.ts";
 import { hands } from "./hands.ts";
-import { placesOf } from "./hit.ts";
-import { placesIn, type Model, type Shown } from "./model.ts";
+import { placesIn, placesOf } from "./hit.ts";
+import { forceWords } from "./loading.ts";
+import type { Model, Shown } from "./model.ts";
 import type { Pixels, Place } from "./sight.ts";
 import { degrees, type Press } from "./tools.ts";
 import { say } from "./words.ts";
@@ -95,6 +96,8 @@ export function stage(app: App, model: Model, field: HTMLElement, menu: (press: 
     const [from, to] = [way.from.at, way.to.at];
     const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
     const unit = unitsOf(model.present()?.scene ?? {}).length;
+    const there = model.present();
+    if (model.tool.value === "load" && there !== null) return lineShapes(sight.toPane(from), sight.toPane(to), forceWords(there, way.from, way.to));
     return lineShapes(sight.toPane(from), sight.toPane(to), `${Number(length.toPrecision(4))} ${unit}, ${degrees(from, to).toFixed(1)}°`.replace("-", "−"));
   }
 

@@ -3,14 +3,15 @@ import type { Drafted, Edit } from "../engine/types.ts";
 import { freeLink, freePoint } from "../panels/mechanism/free_name.ts";
 import { at, groundOf, isDrawn, joined, linksOf, pointsOn, slidersOf, type Draft } from "../panels/parts/scene.ts";
 import { onLink, type Places } from "./hit.ts";
+import { loaded } from "./loading.ts";
 import { short, type Place } from "./sight.ts";
 
 /** The tools in the order of their buttons and keys. */
-export const TOOLS = ["select", "link", "third", "fixed", "slider", "cylinder", "drive", "drop"] as const;
+export const TOOLS = ["select", "link", "third", "fixed", "slider", "cylinder", "drive", "drop", "load"] as const;
 export type Tool = (typeof TOOLS)[number];
 
 /** Tools that go from one place to another; the others are done where they are pressed. */
-export const DRAWN: readonly Tool[] = ["link", "third", "slider", "cylinder"];
+export const DRAWN: readonly Tool[] = ["link", "third", "slider", "cylinder", "load"];
 
 /** What slides: a new block on a pin, the link itself, a pin in a slot. */
 export const SLIDING = ["block", "itself", "pin"] as const;
@@ -48,6 +49,8 @@ export interface Present {
   scene: Draft;
   places: Places;
   drafted: Drafted;
+  /** A step of the grid. */
+  grain: number;
 }
 
 /** The changes that follow; a word of the page where there are none, because something is not there that is needed, or is there already. */
@@ -65,6 +68,8 @@ export function drawn(tool: Tool, present: Present, from: Press, to: Press, choi
       return slid(present, from, to, choices);
     case "cylinder":
       return isSame ? "needs_way" : cylinder(present, from, to);
+    case "load":
+      return loaded(present, from, isSame ? from : to);
     default:
       return [];
   }

@@ -8,7 +8,7 @@ export type EngineClient = {
 };
 
 /** What the picture waits for; photographs and everything else have workers of their own, so that no curve and no check stops a hand. */
-const AT_ONCE = new Set(["kinds", "open", "picture", "running", "grab", "drag", "drop", "edit", "edit_in_place", "move_points", "drafted", "places", "font", "board", "board_snap", "board_picture"]);
+const AT_ONCE = new Set(["kinds", "open", "picture", "running", "grab", "drag", "drop", "edit", "edit_in_place", "move_points", "drafted", "load_table", "places", "font", "board", "board_snap", "board_picture"]);
 const OF_PHOTOGRAPHS = new Set(["photo", "photo_proposed", "photo_tap", "photo_points"]);
 
 /** Starts the engine in a worker, and in others as soon as something slow is asked for, or a photograph comes. */

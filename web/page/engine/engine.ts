@@ -57,6 +57,8 @@ export interface Engine {
   drafted(text: string, view: DraftedView): Drafted;
   /** As `edit`; where the scene is not complete after it, the text says roughly where points were. */
   edit_in_place(text: string, edits: Edit[]): string;
+  /** The lines of a load's table, each a place and a factor, as a spreadsheet writes them; of several columns that with the load's name. */
+  load_table(table: string, load: string): [number, number][];
   /** The scene's text with points at other places, complete or not. */
   move_points(text: string, moves: PlacedPoint[]): string;
   modes(text: string): Mode[];

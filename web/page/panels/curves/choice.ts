@@ -40,7 +40,7 @@ const TOLD_APART = 12;
 /** What is drawn before anybody chose: what the scene wants, else ω of the links that follow the drives, as far as they are told apart. */
 function usual({ wanted, drives, quantities, traceable }: Opened): Record<Kind, string[]> {
   const driven = new Set(drives.map(({ name }) => name));
-  const rates = quantities.filter(({ head, inside, part }) => head === "omega" && part === "" && !driven.has(inside)).slice(0, TOLD_APART);
+  const rates = quantities.filter(({ head, of, inside, part }) => head === "omega" && of === "link" && part === "" && !driven.has(inside)).slice(0, TOLD_APART);
   const last = (names: string[]): string[] => names.slice(-1);
   return {
     curves: (wanted.length > 0 ? wanted : rates).map(({ name }) => name),

@@ -8,6 +8,7 @@ const SYMBOLS: Record<string, [string, string?]> = {
   angle: ["φ"],
   omega: ["ω"],
   alpha: ["α"],
+  rpm: ["n"],
   position: ["s"],
   v_r: ["v", "r"],
   a_r: ["a", "r"],

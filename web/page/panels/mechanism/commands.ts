@@ -1,18 +1,20 @@
 /** What the form's buttons do besides plain changes of one value. */
 import type { App } from "../../app.ts";
-import type { Places } from "../../build/hit.ts";
-import type { Edit } from "../../engine/types.ts";
+import { placesIn, type Places } from "../../build/hit.ts";
+import type { Drafted, Edit } from "../../engine/types.ts";
 import { edit } from "../parts/edits.ts";
 import type { Ask } from "../parts/form.ts";
 import { at, entries, groundOf, isDrawn, linksOf, parsed, pointsOf, pointsOn, type Path, type Draft } from "../parts/scene.ts";
 import { freeLink } from "./free_name.ts";
 import { freshPlace } from "./fresh_place.ts";
+import { JOINT_COMMANDS } from "./joint_commands.ts";
 import { LOAD_COMMANDS } from "./load_commands.ts";
 
 /** What a command is given: the scene as it is, and where its points are. */
 export interface Present {
   scene: Draft;
   places: Places;
+  drafted: Drafted;
 }
 
 export type Command = (present: Present, ...given: string[]) => Edit[];
@@ -23,13 +25,14 @@ export async function command(app: App, { do: name, with: given }: Ask): Promise
   const scene = parsed(text);
   const found = COMMANDS[name];
   if (scene === null || found === undefined) return;
-  const places = new Map((await app.engine.places(text)).map((point) => [point.name, point.at]));
-  const refused = await edit(app, found({ scene, places }, ...given));
+  const drafted = await app.engine.drafted(text, { pane: { width: 100, height: 100, letters: 14, words: false }, centre: [0, 0], scale: 1 });
+  const refused = await edit(app, found({ scene, places: placesIn(drafted), drafted }, ...given));
   if (refused !== null) app.tell(refused.message);
 }
 
 const COMMANDS: Record<string, Command> = {
   ...LOAD_COMMANDS,
+  ...JOINT_COMMANDS,
   fixed: ({ scene, places }, name) => {
     if (isDrawn(scene) && at(scene, ["points", name!]) !== undefined) return [{ set: ["ground"], value: [...groundOf(scene), name] }];
     return [{ add_point: { link: "ground", name: name!, at: placeOf(places, name!, []) } }];
@@ -66,9 +69,10 @@ const COMMANDS: Record<string, Command> = {
   drop_slider: ({ scene }, index) => ((scene["sliders"] as unknown[]).length === 1 ? [{ remove: ["sliders"] }] : [{ remove: ["sliders", Number(index)] }]),
   push: ({ scene }, ...path) => [{ set: [...indexed(path), "drive"], value: isDrawn(scene) ? { speed: 100 } : { position: 100, speed: 100 } }],
   place: ({ scene, places }, ...path) => {
-    const slider = at(scene, indexed(path));
-    const point = String(at(slider, ["at"]) ?? at(slider, ["pin"]));
-    const value = at(slider, ["on"]) === "ground" ? (places.get(point)?.map(short) ?? [0, 0]) : [0, 0];
+    // A slider, or a contact with a flat profile.
+    const guided = at(scene, path);
+    const point = String(at(guided, ["at"]) ?? at(guided, ["pin"]) ?? at(guided, ["centers", 0]));
+    const value = (at(guided, ["on"]) ?? at(guided, ["links", 1])) === "ground" ? (places.get(point)?.map(short) ?? [0, 0]) : [0, 0];
     return [{ set: [...indexed(path), "through"], value }];
   },
   beside: ({ scene }, ...path) => [{ set: indexed(path), value: [at(scene, path), 0] }],

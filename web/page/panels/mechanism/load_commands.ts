@@ -1,6 +1,7 @@
 /** What the form's buttons do about masses, forces, springs and friction. */
 import { SHEETS, type Edit } from "../../engine/types.ts";
-import { at, hasLoads, isDrawn, listOf, names, pointsOn, unitsOf, type Draft } from "../parts/scene.ts";
+import { at, hasLoads, isDrawn, listOf, names, pointsOn, sliderName, slidersOf, unitsOf, type Draft } from "../parts/scene.ts";
+import { added } from "../parts/edits.ts";
 import type { Command, Present } from "./commands.ts";
 
 /** The keys of a link that say of its mass. */
@@ -18,9 +19,10 @@ export const LOAD_COMMANDS: Record<string, Command> = {
   },
   force: ({ scene }, spot) => {
     const [on, point] = parts(spot!);
-    return [...withUnits(scene, ["force"]), ...withPanel(scene), added(scene, "forces", { on, at: point, force: [0, -100] })];
+    return withLoad(scene, { on, at: point, force: [0, -100] });
   },
-  couple: ({ scene }, on) => [...withUnits(scene, ["force"]), ...withPanel(scene), added(scene, "forces", { on, couple: 1000 })],
+  couple: ({ scene }, on) => withLoad(scene, { on, couple: 1000 }),
+  over: (present, index, gauge) => [{ set: ["forces", Number(index), "over"], value: { of: gauge, table: usualTable(present, gauge!) } }],
   spring: ({ scene, places }, from, to) => {
     const ends = [parts(from!), parts(to!)];
     const [a, b] = ends.map(([, point]) => places.get(point) ?? [0, 0]) as [[number, number], [number, number]];
@@ -45,16 +47,24 @@ export const LOAD_COMMANDS: Record<string, Command> = {
   },
 };
 
+/** The scene with a further force or couple. */
+export function withLoad(scene: Draft, load: object): Edit[] {
+  return [...withUnits(scene, ["force"]), ...withPanel(scene), added(scene, "forces", load)];
+}
+
+/** A table to begin with: over an angle it acts at its beginning, over a stroke more and more. */
+function usualTable({ scene, drafted }: Present, gauge: string): [number, number][] {
+  const slider = slidersOf(scene).findIndex((each) => `position(${sliderName(each)})` === gauge);
+  if (slider < 0) return [[0, 1], [180, 0], [360, 1]];
+  const position = drafted.sliders[slider]?.position ?? 0;
+  const far = Number((Math.abs(position) / 4 || 10).toPrecision(1));
+  return [[-far, 0], [far, 1]].map(([way, factor]): [number, number] => [Number((position + way!).toPrecision(3)), factor!]);
+}
+
 /** A link and its point, written `link:point`. */
 function parts(spot: string): [string, string] {
   const [link = "", point = ""] = spot.split(":");
   return [link, point];
-}
-
-/** The change that adds an entry to a list, which there may not be yet. */
-function added(scene: Draft, list: "forces" | "springs" | "friction", entry: object): Edit {
-  const count = listOf(scene, list).length;
-  return count === 0 ? { set: [list], value: [entry] } : { set: [list, count], value: entry };
 }
 
 /** The units of these that the scene lacks. */

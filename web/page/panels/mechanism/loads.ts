@@ -1,6 +1,6 @@
 import { stepFor } from "../../number.ts";
 import type { Adder, Button, Card, Field, Group, Option, Row } from "../parts/form.ts";
-import { at, hasLoads, isDrawn, linksOf, listOf, pointsOn, sizeOf, unitsOf, type Draft, type Path } from "../parts/scene.ts";
+import { at, hasLoads, isDrawn, linksOf, listOf, pointsOn, sizeOf, sliderName, unitsOf, type Draft, type Path } from "../parts/scene.ts";
 import { named } from "../output/subject.ts";
 import { MASS_KEYS } from "./load_commands.ts";
 import { placeFields, vectorFields, vectorForm } from "./vector.ts";
@@ -65,7 +65,7 @@ function* smoothJoints(scene: Draft): Iterable<Listed> {
     if (isPin && !taken.includes(name)) yield { value: `pin:${name}`, text: say("pin_of", { name }) };
   }
   for (const slider of listOf(scene, "sliders")) {
-    const name = `${at(slider, ["link"]) ?? at(slider, ["at"])}/${at(slider, ["on"])}`;
+    const name = sliderName(slider);
     if (!taken.includes(name)) yield { value: `guide:${name}`, text: say("guide_of", { name }) };
   }
 }
@@ -185,7 +185,7 @@ function forceCard(scene: Draft, load: unknown, index: number, usual: string): C
   if (!hasForce || at(scene, couple) !== undefined) {
     line.push({ fields: [{ kind: "number", path: couple, label: say("couple"), symbol: "M", unit: `${forces}·${length}`, step: STEP.couple, needed: !hasForce }] });
   }
-  const over = at(load, ["over", "of"]);
+  const over = at(load, ["over"]);
   const name = givenName(load, usual);
   return {
     path,
@@ -196,7 +196,7 @@ function forceCard(scene: Draft, load: unknown, index: number, usual: string): C
       nameRow(path, usual),
       { fields: [onLink(scene, [...path, "on"], [...path, "at"], linksOf(scene)), ...placeOn(scene, [...path, "at"], on, hasForce)] },
       ...(hasForce ? [{ fields: [vectorForm(force, say("force")), ...turning(scene, path)] }] : []),
-      ...(over === undefined ? [] : [changing(path, String(over), name)]),
+      ...(over === undefined ? [{ fields: [overAdder(index)] }] : changing(path, givenName(load, ""), name)),
     ],
     buttons: [{ text: say("drop_load", { name }), icon: "remove", ask: { do: "drop_of", with: ["forces", String(index)] } }],
   };
@@ -207,10 +207,23 @@ function turning(scene: Draft, path: Path): Field[] {
   return isDrawn(scene) ? [] : [{ kind: "switch", path: [...path, "turns"], label: say("turns_with_link"), usual: false }];
 }
 
-/** That a load changes by a table, which stands in the text. */
-function changing(path: Path, of: string, name: string): Row {
+/** What a load may change over: the angles of links, the positions of sliders. */
+function* gauges(scene: Draft): Iterable<Listed> {
+  for (const link of linksOf(scene)) yield { value: `angle(${link})`, text: say("angle_of", { name: link }) };
+  for (const slider of listOf(scene, "sliders")) yield { value: `position(${sliderName(slider)})`, text: say("position_of", { name: sliderName(slider) }) };
+}
+
+function overAdder(index: number): Adder {
+  const text = say("add_over");
+  return { kind: "adder", path: ["forces", index, "+over"], label: text, text, ask: { do: "over", with: [String(index)] }, lists: [{ label: say("changes_over"), options: gauges }] };
+}
+
+/** The table by which a load changes; `given` is the name by which a file with several columns may know it. */
+function changing(path: Path, given: string, name: string): Row[] {
   const over: Path = [...path, "over"];
-  return { label: say("changes_over", { of }), titled: true, path: over, fields: [], buttons: [{ text: say("drop_over", { name }), icon: "remove", edits: [{ remove: over }] }] };
+  const remove: Button = { text: say("drop_over", { name }), icon: "remove", edits: [{ remove: over }] };
+  const of: Field = { kind: "choice", path: [...over, "of"], label: say("changes_over"), options: gauges };
+  return [{ path: over, fields: [of], buttons: [remove] }, { fields: [{ kind: "table", path: [...over, "table"], label: say("table_lines"), load: given }] }];
 }
 
 function springCard(scene: Draft, spring: unknown, index: number): Card {

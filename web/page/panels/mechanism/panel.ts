@@ -14,6 +14,7 @@ import { links } from "./links.ts";
 import { loads } from "./loads.ts";
 import { near } from "./near.ts";
 import { revealing } from "./revealing.ts";
+import { rolling } from "./rolling.ts";
 import { sliders } from "./sliders.ts";
 import { say } from "./words.ts";
 
@@ -40,7 +41,7 @@ function describe(scene: Draft, kinds: Kind[]): Form {
   const first = about();
   if (typeof note === "string") first.help = noteOf(note, kinds, language.value);
   const groups = isDrawn(scene)
-    ? [first, drawnPoints(scene), known(scene), links(scene), sliders(scene), loads(scene)]
-    : [first, ground(scene), links(scene), sliders(scene), loads(scene), near(scene)];
+    ? [first, drawnPoints(scene), known(scene), links(scene), sliders(scene), rolling(scene), loads(scene)]
+    : [first, ground(scene), links(scene), sliders(scene), rolling(scene), loads(scene), near(scene)];
   return { groups };
 }

@@ -1,10 +1,11 @@
-/** The card of a point or a link that somebody clicked in the picture or in Build. */
+/** The card of a point, a link or a load that somebody clicked in the picture or in Build. */
 import type { App } from "../../app.ts";
 import { at, dotted, isDrawn, linksOf, parsed, pointsOn, type Draft, type Path } from "../parts/scene.ts";
 
-/** Where the numbers of a point or a link are: of a point that has none of its own, in the first link that has it. */
-function pathOf(scene: Draft, of: "point" | "link", name: string): Path | null {
+/** Where the numbers of a point, a link or a load are: of a point that has none of its own, in the first link that has it. */
+function pathOf(scene: Draft, of: "point" | "link" | "load", name: string): Path | null {
   if (of === "link") return ["links", name];
+  if (of === "load") return ["forces", Number(name)];
   const own: Path = isDrawn(scene) ? ["points", name] : ["ground", name];
   if (at(scene, own) !== undefined) return own;
   const link = linksOf(scene).find((each) => pointsOn(scene, each).includes(name));

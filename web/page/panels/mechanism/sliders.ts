@@ -58,7 +58,7 @@ function card(scene: Draft, slider: unknown, index: number): Card {
     title: say("slides_on", { point: String(at(slider, ["at"]) ?? at(slider, ["pin"]) ?? "?"), on: carrierOf(slider) }),
     ...(isPin ? { role: say("pin_in_slot") } : {}),
     line: () => [...placeOf(scene, slider, path), ...lineOfDrive(scene, [...path, "drive"])],
-    rows: () => [{ fields: [...what, on] }, ...guide(scene, slider, path), ...turnedRow(scene, path, isPin), ...driveOf(scene, slider, path, String(index + 1))],
+    rows: () => [{ fields: [...what, on] }, ...guide(scene, path, String(at(slider, ["on"]) ?? "ground")), ...ends(scene, path, index), ...turnedRow(scene, path, isPin), ...driveOf(scene, slider, path, String(index + 1))],
     buttons: [{ text: say("drop_slider", { name: index + 1 }), icon: "remove", ask: { do: "drop_slider", with: [String(index)] } }],
   };
 }
@@ -77,20 +77,19 @@ function placeOf(scene: Draft, slider: unknown, path: Path): Row[] {
   return [{ fields: withOffset(placeFields([...path, "through"], unitsOf(scene).length, stepFor(sizeOf(scene))), isLevel) }];
 }
 
-/** Place and direction of the guide. */
-function guide(scene: Draft, slider: unknown, path: Path): Row[] {
-  const on = String(at(slider, ["on"]) ?? "ground");
+/** Place and direction of a guide on this body, or of a flat profile, which always has a direction. */
+export function guide(scene: Draft, path: Path, on: string, isFlat = false): Row[] {
   const points = pointsOn(scene, on);
-  const through = at(slider, ["through"]);
-  const along = at(slider, ["along"]);
+  const through = at(scene, [...path, "through"]);
+  const along = at(scene, [...path, "along"]);
   const canPlace = on === "ground" || at(scene, ["links", on, "shape"]) !== undefined;
   const places: Option[] = [
     ...(on !== "ground" || isDrawn(scene) || through === undefined ? [{ text: say("through_usual") }] : []),
     ...points.map((value) => ({ value, text: value })),
     ...(canPlace || Array.isArray(through) ? [{ any: "list" as const, text: say("through_place"), ask: { do: "place", with: path.map(String) } }] : []),
   ];
-  const where: Field[] = [{ kind: "choice", path: [...path, "through"], label: say("through"), options: places }];
-  const direction: Field[] = [{ kind: "choice", path: [...path, "along"], label: say("along"), options: directions(points, along) }];
+  const where: Field[] = [{ kind: "choice", path: [...path, "through"], label: say(isFlat ? "face_through" : "through"), options: places }];
+  const direction: Field[] = [{ kind: "choice", path: [...path, "along"], label: say(isFlat ? "face_along" : "along"), options: directions(points, along).slice(isFlat ? 1 : 0) }];
   if (typeof along === "number") direction.push({ kind: "number", path: [...path, "along"], label: say("degrees"), unit: "°", step: 1, needed: true });
   if (Array.isArray(along)) direction.push(...placeFields([...path, "along"], "", 0.1));
   return [{ fields: where }, { fields: direction }];
@@ -110,6 +109,15 @@ function directions(points: string[], along: unknown): Option[] {
     { any: "number", value: 0, text: say("along_degrees") },
     { any: "list", value: [1, 0], text: say("along_direction") },
   ];
+}
+
+/** The ends of a slot. */
+function ends(scene: Draft, slider: Path, index: number): Row[] {
+  if (isDrawn(scene)) return [];
+  const path: Path = [...slider, "travel"];
+  if (at(scene, path) === undefined) return [{ path, fields: [], buttons: [{ text: say("travel"), icon: "plus", ask: { do: "travel", with: [String(index)] } }] }];
+  const fields = (["travel_from", "travel_to"] as const).map((label, end): Field => ({ kind: "number", path: [...path, end], label: say(label), unit: end === 0 ? "" : unitsOf(scene).length, step: stepFor(sizeOf(scene)), needed: true }));
+  return [{ label: say("travel"), path, fields, buttons: [{ text: say("drop_travel", { name: index + 1 }), icon: "remove", edits: [{ remove: path }] }] }];
 }
 
 /** The angle of a block whose axis can be seen. */

@@ -1,10 +1,17 @@
 import type { App } from "../../app.ts";
 import type { Edit, Refused } from "../../engine/types.ts";
+import { listOf, type Draft, type List } from "./scene.ts";
 
 interface Waiting {
   edits: Edit[];
   gesture: string | undefined;
   done(refused: Refused | null): void;
+}
+
+/** The change that adds an entry to a list, which there may not be yet. */
+export function added(scene: Draft, list: List, entry: object): Edit {
+  const count = listOf(scene, list).length;
+  return count === 0 ? { set: [list], value: [entry] } : { set: [list, count], value: entry };
 }
 
 /** Changes of the scene that wait for those before them, by page. */

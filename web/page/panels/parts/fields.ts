@@ -8,6 +8,7 @@ import { edit } from "./edits.ts";
 import type { Adder, Ask, ChecksField, ChoiceField, Field, NameField, Names, NumberField, Option, PointsField, SwitchField, TextField } from "./form.ts";
 import { pinButton } from "./pin.ts";
 import { at, dotted, type Draft, type Path } from "./scene.ts";
+import { tableOf } from "./table.ts";
 import { say } from "./words.ts";
 
 /** A part of the form that shows a value of the scene. */
@@ -54,11 +55,13 @@ export function fieldOf(desk: Desk, field: Field): Live {
       return pointNames(desk, field);
     case "adder":
       return adder(desk, field);
+    case "table":
+      return tableOf(desk, field);
   }
 }
 
 /** A label with its input. */
-function labelled(field: { path: Path; label: string; symbol?: string; quiet?: boolean }, input: HTMLElement, ...more: HTMLElement[]): HTMLElement {
+export function labelled(field: { path: Path; label: string; symbol?: string; quiet?: boolean }, input: HTMLElement, ...more: HTMLElement[]): HTMLElement {
   input.id = newId();
   const { symbol } = field;
   const words = symbol === undefined ? [field.label] : [element("span", { "aria-hidden": "true", title: field.label }, symbol), element("span", { class: "unseen" }, field.label)];
@@ -104,7 +107,7 @@ function select(desk: Desk, field: ChoiceField): Live {
   const { options } = field;
   const input = element("select", {}, ...options.map(({ text }, index) => element("option", { value: index }, text)));
   input.addEventListener("change", () => choose(desk, field, options[Number(input.value)]));
-  return { root: labelled(field, input), show: (scene) => (input.value = String(chosen(options, at(scene, field.path)))) };
+  return { root: labelled(field, input), show: (scene) => (input.value = String(field.now ?? chosen(options, at(scene, field.path)))) };
 }
 
 /** One of the scene's names. */
@@ -260,7 +263,7 @@ export function nameInput(app: App, { of, name, label }: NameField): HTMLElement
 const PAUSE = 900;
 
 /** Hears of each letter at once, and of the pause after the last. */
-function typing(app: App, read: (isPaused: boolean) => void): { typed(): void; paused(): void } {
+export function typing(app: App, read: (isPaused: boolean) => void): { typed(): void; paused(): void } {
   let clock = 0;
   const paused = (): void => {
     if (clock === 0) return;

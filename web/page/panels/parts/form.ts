@@ -52,7 +52,7 @@ export interface Row {
   buttons?: Button[];
 }
 
-export type Field = NumberField | TextField | ChoiceField | ChecksField | SwitchField | PointsField | Adder;
+export type Field = TableField | NumberField | TextField | ChoiceField | ChecksField | SwitchField | PointsField | Adder;
 
 /** What the owner of the form is asked to do: a name, and what with. */
 export interface Ask {
@@ -91,6 +91,13 @@ export interface TextField extends Named {
   keepsEmpty?: boolean;
 }
 
+/** A table of two columns: places and factors. */
+export interface TableField extends Named {
+  kind: "table";
+  /** The name of its column in a file that has several. */
+  load: string;
+}
+
 /** Yes or no; what is usual is not written. */
 export interface SwitchField extends Named {
   kind: "switch";
@@ -101,6 +108,8 @@ export interface SwitchField extends Named {
 export interface ChoiceField extends Named {
   kind: "choice";
   options: Option[] | Names;
+  /** Which one holds, where no one value says it. */
+  now?: number;
   /** Whether all are seen at once. */
   open?: boolean;
 }

@@ -61,14 +61,22 @@ export function linksOf(scene: Draft): string[] {
   return entries(scene["links"]).map(([name]) => name);
 }
 
-/** The entries of one of the scene's lists; none where that is no list yet. */
-export function listOf(scene: Draft, key: "sliders" | "forces" | "springs" | "friction"): readonly unknown[] {
+/** The scene's lists of joints and of loads. */
+export type List = "sliders" | "gears" | "contacts" | "forces" | "springs" | "friction";
+
+/** The entries of one of them; none where that is no list yet. */
+export function listOf(scene: Draft, key: List): readonly unknown[] {
   return Array.isArray(scene[key]) ? scene[key] : [];
 }
 
 /** The sliders. */
 export function slidersOf(scene: Draft): readonly unknown[] {
   return listOf(scene, "sliders");
+}
+
+/** The name of a slider in those of quantities and joints, as `3/ground`. */
+export function sliderName(slider: unknown): string {
+  return `${at(slider, ["link"]) ?? at(slider, ["pin"])}/${at(slider, ["on"])}`;
 }
 
 /** Whether something loads a link. */
