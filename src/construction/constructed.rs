@@ -1,12 +1,12 @@
 use super::cut::{Special, SpecialId};
 use super::kennedy::{Center, CenterId, Centers};
 use super::lever::Lever;
-use super::speeds::SpeedDiagram;
 use super::name::image_name;
 use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{Along, LineId, Operation, PlaceId, StepId};
 use super::polygon::ForcePlan;
 use super::run::{Disturbance, Values};
+use super::speeds::SpeedDiagram;
 use super::step::{Action, Arrow, NumberedStep, Plan, Ray, VectorOf};
 use super::train::pitch_points;
 use crate::geometry::{Ball, Point};

@@ -163,7 +163,8 @@ impl Writer<'_> {
             let centers = pitch.centers.map(|center| self.pose.point(center));
             let touch = centers[0] + (centers[1] - centers[0]) * pitch.share::<f64>();
             let of_center = |center: PointId| (SpotName::Center(center), self.pose.point(center), carrier);
-            let found = pitch.centers.map(of_center).into_iter().chain([(SpotName::Pitch(joint), touch, own.bodies[0])]);
+            let found =
+                pitch.centers.map(of_center).into_iter().chain([(SpotName::Pitch(joint), touch, own.bodies[0])]);
             for (at, place, body) in found {
                 let velocity = right(self.motion.body(body).velocity_at(place));
                 if !spots.iter().any(|spot| spot.at == at) {
@@ -196,9 +197,11 @@ impl Writer<'_> {
             let (Some(pitch), Some(carrier)) = (own.pitch, own.related_bodies().nth(2)) else { continue };
             let center = |side: usize| SpotName::Center(pitch.centers[side]);
             let at = SpotName::Pitch(joint);
-            let on = [(own.bodies[0], [center(0), at]), (own.bodies[1], [center(1), at]), (carrier, [center(0), center(1)])];
+            let on =
+                [(own.bodies[0], [center(0), at]), (own.bodies[1], [center(1), at]), (carrier, [center(0), center(1)])];
             for (body, names) in on {
-                for index in names.into_iter().filter_map(|name| diagram.spots.iter().position(|spot| spot.at == name)) {
+                for index in names.into_iter().filter_map(|name| diagram.spots.iter().position(|spot| spot.at == name))
+                {
                     if body == GROUND {
                         is_there[index] = true;
                     } else if let Some((_, spots)) = left.iter_mut().find(|(other, _)| *other == body) {
@@ -286,7 +289,11 @@ impl Teller<'_> {
                 let line = diagram.lines.get(index)?;
                 let [from, to] = line.through.map(|spot| marked(self.spot_of_speed(diagram.spots[spot].at)));
                 let link = &self.mechanism.body(line.link).name;
-                if line.follows { language.speeds_line(link, &from, &to) } else { language.speeds_given(link, &from, &to) }
+                if line.follows {
+                    language.speeds_line(link, &from, &to)
+                } else {
+                    language.speeds_given(link, &from, &to)
+                }
             }
             SpeedStep::Ray(index) => {
                 let link = diagram.lines.get(index)?.link;
@@ -310,7 +317,9 @@ impl Teller<'_> {
     /// What is said of a figure whose diagram lacks meshes.
     pub(super) fn missing_of_speeds(&self, is_asked: bool) -> Option<String> {
         let language = self.words.language;
-        let Some(diagram) = &self.construction.speeds else { return is_asked.then(|| language.speeds_none().to_owned()) };
+        let Some(diagram) = &self.construction.speeds else {
+            return is_asked.then(|| language.speeds_none().to_owned());
+        };
         let names: Vec<String> =
             diagram.left_out.iter().map(|&joint| marked(self.construction.pitch_name(joint))).collect();
         let centers = diagram.spots.iter().filter(|spot| matches!(spot.at, SpotName::Center(_)));

@@ -6,11 +6,11 @@ use super::context::SheetContext;
 use super::labels::LabelRequest;
 use super::layout::ROW;
 use super::scale_bar::{ScaleBars, Scaled};
-use super::values::VALUE;
 use super::scheme;
 use super::shape::Shape;
 use super::sheet::Pen;
 use super::text::RichText;
+use super::values::VALUE;
 use super::view::{Extent, View, together};
 use crate::construction::{Action, SpeedDiagram, SpeedLine, SpeedStep, SpotName, display, image_name};
 use crate::geometry;
@@ -50,7 +50,9 @@ struct Layout<'a> {
 
 impl<'a> Layout<'a> {
     fn of(diagram: &'a SpeedDiagram) -> Layout<'a> {
-        let reach = |from: f64, to: f64| diagram.circles.iter().flat_map(move |own| [own.center + from * own.radius, own.center + to * own.radius]);
+        let reach = |from: f64, to: f64| {
+            diagram.circles.iter().flat_map(move |own| [own.center + from * own.radius, own.center + to * own.radius])
+        };
         let high = reach(1.0, 1.0).chain(diagram.spots.iter().map(|spot| spot.height)).fold(0.0, f64::max);
         let low = reach(-1.0, -1.0).fold(0.0, f64::min);
         let height = high - low;
@@ -61,7 +63,8 @@ impl<'a> Layout<'a> {
         let per_radian = diagram.turns.unwrap_or(1.0);
         let rate = round_below((LARGEST * height / turning).min(LOWEST * height * velocity / per_radian));
         let widest = diagram.circles.iter().map(|circle| circle.radius).fold(0.0, f64::max);
-        let leftmost = velocities().map(|own| own * velocity).chain(diagram.lines.iter().map(|line| diagram.rate(line) * rate));
+        let leftmost =
+            velocities().map(|own| own * velocity).chain(diagram.lines.iter().map(|line| diagram.rate(line) * rate));
         let zero = widest + BESIDE * height - leftmost.fold(0.0, f64::min);
         let pole = -BELOW * height;
         // A parallel to a line with ω is ω · velocity wide for each unit of height.
@@ -103,7 +106,8 @@ pub(super) fn extent(context: &SheetContext<'_>) -> Option<Extent> {
 /// Draws the panel.
 pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
     let Some(diagram) = context.construction().speeds.as_ref() else { return };
-    let mut steps = Steps { train: 0, pole: 0, lines: vec![0; diagram.lines.len()], rays: vec![0; diagram.lines.len()] };
+    let mut steps =
+        Steps { train: 0, pole: 0, lines: vec![0; diagram.lines.len()], rays: vec![0; diagram.lines.len()] };
     for step in context.construction().numbered_steps() {
         let number = step.number as u16;
         match *step.action {
@@ -182,7 +186,10 @@ impl DiagramOnPaper<'_> {
         let ends = [self.diagram.spots.first(), self.diagram.spots.last()];
         if let [Some(low), Some(high)] = ends {
             canvas.draw(Pen::Construction, Shape::Line(self.at(0.0, low.height), self.at(0.0, high.height)));
-            canvas.draw(Pen::Frame, Shape::Line(self.at(self.layout.zero, low.height), self.at(self.layout.zero, high.height)));
+            canvas.draw(
+                Pen::Frame,
+                Shape::Line(self.at(self.layout.zero, low.height), self.at(self.layout.zero, high.height)),
+            );
         }
         for spot in &self.diagram.spots {
             let place = self.at(0.0, spot.height);
@@ -219,7 +226,8 @@ impl DiagramOnPaper<'_> {
     fn velocities(&self, canvas: &mut Canvas<'_>) {
         let mut tips = Vec::new();
         for (index, spot) in self.diagram.spots.iter().enumerate() {
-            let of_spot = self.diagram.lines.iter().zip(&self.steps.lines).filter(|(line, _)| line.spots.contains(&index));
+            let of_spot =
+                self.diagram.lines.iter().zip(&self.steps.lines).filter(|(line, _)| line.spots.contains(&index));
             canvas.step = of_spot.map(|(_, step)| *step).min().unwrap_or(self.steps.train);
             let from = self.at(self.layout.zero, spot.height);
             let tip = self.view.at(self.layout.tip(index));
@@ -255,7 +263,8 @@ impl DiagramOnPaper<'_> {
         for ((index, (line, cut)), &step) in self.diagram.lines.iter().zip(cuts()).enumerate().zip(&self.steps.rays) {
             canvas.step = step;
             let name = &self.context.mechanism().body(line.link).name;
-            canvas.draw_named(&format!("ray-{name}"), Pen::Ray, Shape::Line(pole, cut)).number = self.context.number(line.link);
+            canvas.draw_named(&format!("ray-{name}"), Pen::Ray, Shape::Line(pole, cut)).number =
+                self.context.number(line.link);
             let stroke = Vec2::new(0.0, TICK);
             canvas.draw(Pen::Frame, Shape::Line(cut - stroke, cut + stroke));
             named.push((cut, (index, self.context.teller().speed_symbol(line.link), step)));
