@@ -2136,6 +2136,7 @@ page-mechanism-open_file = Open…
 page-mechanism-groups_bars = One loop
 page-mechanism-groups_more = Six links
 page-mechanism-groups_drives = Several drives
+page-mechanism-groups_wheels = Wheels and cams
 page-mechanism-groups_class = Third and fourth class
 page-mechanism-groups_drawn = Groups as a textbook draws them
 page-mechanism-groups_paper = From the paper
