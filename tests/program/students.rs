@@ -48,6 +48,21 @@ fn mistakes_with_wheels_are_named_and_honest_hands_are_not_accused() {
 }
 
 #[test]
+fn mistakes_with_teeth_cams_and_friction_are_named_and_honest_hands_are_not_accused() {
+    let Some(python) = find("python3") else {
+        return;
+    };
+    for judge in ["teeth.py", "cams.py", "friction.py"] {
+        let judge = files::path(&format!("tests/students/{judge}"));
+        let words = ["--scenes", "5", "--honest", "15", "--each", "5", "--limits"];
+        let program = [QUIET.as_ref(), judge.as_os_str(), env!("CARGO_BIN_EXE_kinegon").as_ref()];
+        let said = run(&python, program.into_iter().chain(words.map(AsRef::as_ref)));
+        let said = String::from_utf8(said).expect("text");
+        assert!(said.contains("honest accused 0.00 %"), "{said}");
+    }
+}
+
+#[test]
 fn mistakes_with_forces_are_named_and_honest_hands_are_not_accused() {
     let Some(python) = find("python3") else {
         return;
