@@ -198,6 +198,8 @@ impl<'j> Bench<'j> {
             None => None,
         };
         let is_sure = is_sure || in_scene.is_some_and(|made| self.is_known(entry, &made));
+        // Numbers whose sense is against that of their quantity.
+        let mut turned: BTreeMap<String, bool> = BTreeMap::new();
         for table in &mut self.right {
             let alone = recognised.take().map_or_else(|| table.carry_out(entry), Ok).unwrap_or_else(|_| made.clone());
             let right = match alone {
@@ -210,9 +212,13 @@ impl<'j> Bench<'j> {
                     let right = all.into_iter().map(|(name, number)| {
                         let asked = named.as_ref().unwrap_or(&name);
                         let right = table.given.number(asked).or_else(|| written_together(table.given, entry, &name));
-                        // What is written without a sign keeps the hand's; where it is wrong, that says nothing.
+                        // What is written without a sign keeps the hand's; where it is wrong, that says nothing. In other scenes
+                        // numbers that somebody has typed are others, so the sense is that of this one.
                         let keeps_sign = is_size_of_force(asked) && (!is_wrong || matches!(entry, Entry::Measure(_)));
-                        let right = right.map(|right| if keeps_sign { right.abs().copysign(number) } else { right });
+                        let right = right.map(|right| {
+                            let is_turned = keeps_sign && *turned.entry(name.clone()).or_insert(right * number < 0.0);
+                            if is_turned { -right } else { right }
+                        });
                         is_own |= right.is_none();
                         (name, right.unwrap_or(number))
                     });

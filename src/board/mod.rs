@@ -5,7 +5,7 @@
 //! means), `table` and `equations` (the things made so far, and how one more entry is carried out), `reads` (what an entry uses).
 //! `judge` and `others` (scenes like this one), `bench` (entry by entry), `alone`, `free_hand` and `recognised` (what an entry comes to by itself), `blame`
 //! (who is to blame), `cause` (the catalogue of mistakes), `slips` and `slip_vectors` (what the entry would be without a slip), `centers` (what is probably wrong with lines of instant centres),
-//! `polygons`, `force_plan` and `moments` (force polygons, whose corners have no names of their own, and sums of moments). `told` puts it
+//! `polygons`, `force_plan`, `force_lines` and `moments` (force polygons, whose corners have no names of their own, and sums of moments). `told` puts it
 //! in words. For pages: `screen`, `shown` and `numbers` (what is seen), `snap` (what a press may mean), `hint`, `form` (the drawing as a
 //! form of values); `writes` writes Kinegon's own construction as a drawing.
 //!
@@ -25,6 +25,7 @@ mod centers;
 mod direction;
 mod equations;
 mod file;
+mod force_lines;
 mod force_plan;
 mod form;
 mod formula;

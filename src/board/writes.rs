@@ -139,8 +139,13 @@ impl<'g> Writer<'g> {
             OperationKind::Take { number, value } => self.take(*number, *value),
             OperationKind::Compute { number, sum } => self.compute(*number, sum),
             OperationKind::Solve { unknowns, equations } => {
-                let names: Vec<String> =
-                    unknowns.iter().map(|n| self.construction.number_name(self.mechanism, *n)).collect();
+                let names: Vec<String> = unknowns
+                    .iter()
+                    .map(|number| {
+                        let name = self.construction.number_name(self.mechanism, *number);
+                        if name.is_empty() { self.own_number() } else { name }
+                    })
+                    .collect();
                 let equations: Vec<String> = equations
                     .iter()
                     .map(|equation| {
@@ -250,6 +255,12 @@ impl<'g> Writer<'g> {
         is_inertia.then(|| format!("M_i({})", self.mechanism.body(load.body).name))
     }
 
+    /// A name for a number that has none, as an arm or the force between teeth.
+    fn own_number(&mut self) -> String {
+        self.measured += 1;
+        format!("m{}", self.measured)
+    }
+
     fn measure(&mut self, sheet: Sheet, number: NumberId, ends: [PlaceId; 2], how: MeasuredAs, in_step: bool) {
         // What is only read belongs to no step, and no formula needs it.
         if !matches!(how, MeasuredAs::Size | MeasuredAs::Along(_))
@@ -259,8 +270,7 @@ impl<'g> Writer<'g> {
         }
         let mut name = self.construction.number_name(self.mechanism, number);
         if name.is_empty() {
-            self.measured += 1;
-            name = format!("m{}", self.measured);
+            name = self.own_number();
         }
         let value = self.values.number(number);
         // The force in a joint is needed even where a side of the polygon is all of it, which no step joins.

@@ -15,6 +15,7 @@ use crate::drawing::{Drawing, SeenPoint, over_photo};
 use crate::format::Backdrop;
 use crate::message::Message;
 use crate::photo::{PhotoSheet, Picture, Stroke, read, says};
+use crate::sheet::Sheet;
 use crate::text::{cell, quoted, shown};
 use crate::words::NumberStyle;
 use image::{DynamicImage, GrayImage, ImageDecoder, ImageError, ImageReader, Limits};
@@ -92,6 +93,18 @@ impl PhotoResult {
         }
         let all: Vec<(&Photo, PencilledPlan<'_>)> =
             photos.iter().flat_map(|photo| photo.plans(key.solution).map(move |plan| (photo, plan))).collect();
+        let is_of_forces = |sheet: Sheet| matches!(sheet, Sheet::Forces | Sheet::Lever);
+        let mut panels = photos.iter().flat_map(|photo| &photo.sheet.code.panels);
+        if let (true, Some(placed)) = (all.is_empty(), panels.find(|placed| is_of_forces(placed.panel))) {
+            return refuse(
+                format!(
+                    "{} shows the {}, whose points are read of no photograph",
+                    photos[0].path.display(),
+                    placed.panel.name()
+                ),
+                "write what was measured on it into the form (`kinegon check scene.json --template`), or draw it on the drawing board of the workbench",
+            );
+        }
         if all.is_empty() {
             return refuse(
                 format!("{} shows no plan, only the sheet with the scheme", photos[0].path.display()),
