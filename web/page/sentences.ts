@@ -3869,7 +3869,13 @@ export const sheets = {
     "lever_panel": "Lever",
     "lever_name": "lever",
     "lever_title": "Lever",
-    "lever_from": "From the lever"
+    "lever_from": "From the lever",
+    "speeds_short": "Speeds",
+    "speeds_scaled": "Speeds",
+    "speeds_panel": "Speed diagram",
+    "speeds_name": "speed diagram",
+    "speeds_title": "Speed diagram",
+    "speeds_from": "From the speed diagram"
   },
   "es": {
     "scheme_short": "Esquema",
@@ -3907,7 +3913,13 @@ export const sheets = {
     "lever_panel": "Palanca",
     "lever_name": "palanca",
     "lever_title": "Palanca",
-    "lever_from": "De la palanca"
+    "lever_from": "De la palanca",
+    "speeds_short": "Kutzbach",
+    "speeds_scaled": "Kutzbach",
+    "speeds_panel": "Diagrama de Kutzbach",
+    "speeds_name": "diagrama de Kutzbach",
+    "speeds_title": "Diagrama de Kutzbach",
+    "speeds_from": "Del diagrama de Kutzbach"
   },
   "de": {
     "scheme_short": "Lageplan",
@@ -3945,7 +3957,13 @@ export const sheets = {
     "lever_panel": "Hebel",
     "lever_name": "Hebel",
     "lever_title": "Hebel",
-    "lever_from": "Aus dem Hebel"
+    "lever_from": "Aus dem Hebel",
+    "speeds_short": "Kutzbach",
+    "speeds_scaled": "Kutzbachplan",
+    "speeds_panel": "Kutzbachplan",
+    "speeds_name": "Kutzbachplan",
+    "speeds_title": "Kutzbachplan",
+    "speeds_from": "Aus dem Kutzbachplan"
   },
   "pt": {
     "scheme_short": "Esquema",
@@ -3983,7 +4001,13 @@ export const sheets = {
     "lever_panel": "Alavanca",
     "lever_name": "alavanca",
     "lever_title": "Alavanca",
-    "lever_from": "Da alavanca"
+    "lever_from": "Da alavanca",
+    "speeds_short": "Kutzbach",
+    "speeds_scaled": "Kutzbach",
+    "speeds_panel": "Diagrama de Kutzbach",
+    "speeds_name": "diagrama de Kutzbach",
+    "speeds_title": "Diagrama de Kutzbach",
+    "speeds_from": "Do diagrama de Kutzbach"
   }
 };
 
