@@ -20,7 +20,7 @@ fn template(name: &str, panels: &Value) -> Value {
 }
 
 /// A planetary train whose arm 1 drives, with planet 2 between the fixed ring and sun 3.
-fn planetary([sun, planet]: [i64; 2], arm: i64, angle: u64) -> Value {
+fn planetary([sun, planet]: [i64; 2], arm: i64, angle: usize) -> Value {
     json!({ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [3, 4] },
         "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "angle": angle, "omega": arm } },
                    "2": ["B"], "3": ["A"] },
