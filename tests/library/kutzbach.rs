@@ -36,7 +36,7 @@ fn slopes_are_the_angular_velocities_of_willis() {
         let mut dice = Random(seed);
         let [sun, planet] = [0; 2].map(|_| 17 + dice.below(44) as i64);
         let (ring, arm) = (sun + 2 * planet, 1 + dice.below(30) as i64);
-        let solution = solution(&planetary([sun, planet], arm, 7 * dice.below(50) as u64));
+        let solution = solution(&planetary([sun, planet], arm, 7 * dice.below(50)));
         let diagram = solution.construction.speeds.as_ref().expect("a diagram");
         assert_eq!(diagram.lines.len(), 3);
         for line in &diagram.lines {
