@@ -1,6 +1,6 @@
 //! What is known before the hand begins, and what every name means in the end: the solved scene, with all points in its plans.
 
-use super::polygons::{GivenPolygon, direction_of_load, load_places, polygons};
+use super::polygons::{GivenPolygon, direction_of_load, load_places, pitch_points, polygons};
 use super::reads::is_center;
 use super::says;
 use crate::centers::LinkPair;
@@ -89,6 +89,13 @@ impl Given {
             if !places.contains_key(&key) {
                 there.push(key.clone());
                 places.insert(key, place - construction.origin);
+            }
+        }
+        for (name, place) in if polygons.is_empty() { Vec::new() } else { pitch_points(&solution) } {
+            let key = (Sheet::Scheme, name);
+            if !places.contains_key(&key) {
+                there.push(key.clone());
+                places.insert(key, place);
             }
         }
         let load_places = named.into_iter().map(|(name, ..)| name).collect();

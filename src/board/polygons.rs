@@ -3,12 +3,14 @@
 //! The corners of a polygon have no names of their own on the board: whichever force a hand lays off first, the polygon closes. So a
 //! corner is known by the forces that lie between it and the start.
 
-use crate::construction::{Construction, ForceOf, ForcePart, ForcePlan, LoadShown, Polygon, Side, SideKind, Solution};
+use crate::construction::{
+    Construction, ForceOf, ForcePart, ForcePlan, LoadShown, Operation, OperationRole, Polygon, Side, SideKind, Solution,
+};
 use crate::forces::Source;
 use crate::geometry::{Point, Vector, quarter_turn, unit};
 use crate::mechanism::{BodyId, JointId, Mechanism};
 use crate::quantity::{ForceOf as Asked, LinePart, QuantityRequest, What};
-use crate::sheet::Sheet;
+use crate::sheet::{PerSheet, Sheet};
 
 /// Forces of a polygon, as bits by their indices.
 pub(super) type Forces = u32;
@@ -170,6 +172,29 @@ fn parts_of(plan: &ForcePlan, whole: &Side, joint: JointId, on: BodyId) -> Vec<(
     let sum: Vector = found.iter().map(|(_, vector)| vector).sum();
     let are_all = found.len() == 2 && (sum - whole.vector).norm() <= 1e-9 * whole.vector.norm();
     if are_all { found } else { Vec::new() }
+}
+
+/// The pitch points of the meshes whose teeth carry forces, by their names, from the scheme's first point.
+pub(super) fn pitch_points(solution: &Solution) -> Vec<(String, Vector)> {
+    let construction = &solution.construction;
+    let values = construction.run(PerSheet::from_fn(|_| 1.0), &[]);
+    let of = |operation: &Operation| match (operation.role, operation.kind.place()) {
+        (OperationRole::Pitch(mesh), Some(place)) if operation.sheet == Sheet::Scheme => {
+            Some((pitch_name(&solution.mechanism, mesh), values.place(place)))
+        }
+        _ => None,
+    };
+    construction.operations.iter().filter_map(of).collect()
+}
+
+/// The name of a pitch point, as `W12` of the wheels 1 and 2.
+pub(super) fn pitch_name(mechanism: &Mechanism, mesh: JointId) -> String {
+    let [a, b] = mechanism.joint(mesh).bodies.map(|body| mechanism.body(body).name.as_str());
+    let mut name = format!("W{a}{b}");
+    while mechanism.point(&name).is_some() {
+        name.push('\'');
+    }
+    name
 }
 
 /// By load: the name of the place at which its force acts, and whether that place is none of the mechanism's points: the centre of a link's mass is `G2`, the

@@ -2,6 +2,7 @@
 
 use super::bench::is_size_of_force;
 use super::given::Given;
+use super::polygons::pitch_name;
 use crate::construction::{
     Along, Construction, LineId, LoadShown, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole,
     PlaceId, Product, Reference,
@@ -61,6 +62,7 @@ impl<'g> Writer<'g> {
         let mut places = IndexMap::new();
         let of_load = |role: &OperationRole| match role {
             OperationRole::Load(load) => given.load_places.get(*load).cloned(),
+            OperationRole::Pitch(mesh) => Some(pitch_name(given.mechanism(), *mesh)),
             _ => None,
         };
         for (sheet, name, place) in construction.named_places() {
