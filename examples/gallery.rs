@@ -19,7 +19,7 @@ use std::fs;
 use support::files as repository;
 
 /// Kinds of `kinegon new` in its order, their scenes, and what each teaches.
-const KINDS: [(&str, &str, &str); 33] = [
+const KINDS: [(&str, &str, &str); 31] = [
     (
         "four-bar",
         "templates/four-bar.json",
@@ -44,11 +44,6 @@ const KINDS: [(&str, &str, &str); 33] = [
         "toggle-press",
         "templates/toggle-press.json",
         "Three links on one pin; the ram slows down, and its force grows, as the toggle straightens.",
-    ),
-    (
-        "friction-press",
-        "templates/friction-press.json",
-        "Coulomb friction: forces touch the circles of friction at the pins, and lean at the guide by its angle.",
     ),
     (
         "geared-five-bar",
@@ -94,11 +89,6 @@ const KINDS: [(&str, &str, &str); 33] = [
         "rack-and-pinion",
         "templates/rack-and-pinion.json",
         "A wheel rolls on a fixed rack, its lowest point at rest: the rack above moves twice as fast as its centre.",
-    ),
-    (
-        "loaded-train",
-        "templates/loaded-train.json",
-        "Polygons of the forces on each wheel: the pin of the wheel between carries both forces of its teeth.",
     ),
     (
         "geneva",
@@ -182,7 +172,7 @@ enum Kind {
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 33] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 35] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -320,6 +310,20 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 33] = [
         "tests/cams/profiles.json",
         "draw scene.json",
         "Two profiles of which the contact alone is known, as drawn: arcs about their centres of curvature, and the link that is equivalent to them.",
+        Kind::Figure(|_| ()),
+    ),
+    (
+        "friction-press",
+        "tests/forces/friction-press.json",
+        "draw scene.json",
+        "Coulomb friction: forces touch the circles of friction at the pins, and lean at the guide by its angle.",
+        Kind::Figure(|_| ()),
+    ),
+    (
+        "loaded-train",
+        "tests/forces/loaded-train.json",
+        "draw scene.json",
+        "Polygons of the forces on each wheel: the pin of the wheel between carries both forces of its teeth.",
         Kind::Figure(|_| ()),
     ),
     (

@@ -32,6 +32,8 @@ pub enum Sheet {
     Forces,
     /// Zhukovsky's lever: the velocity plan turned by 90° clockwise, with forces at the images of their points.
     Lever,
+    /// Kutzbach's speed diagram of a train: velocities along its line of centres, and from them angular velocities on one line.
+    Speeds,
 }
 
 /// The order of a derivative of the position by time. Each has a plan, which is drawn from a pole, and needs those before
@@ -102,7 +104,7 @@ pub struct SheetFacts {
 }
 
 /// The sheets in the order of their variants, which is that in which they are drawn.
-const FACTS: [SheetFacts; 6] = [
+const FACTS: [SheetFacts; 7] = [
     SheetFacts {
         sheet: Sheet::Scheme,
         word: "scheme",
@@ -175,6 +177,18 @@ const FACTS: [SheetFacts; 6] = [
         segment: "hplan",
         order: None,
     },
+    SheetFacts {
+        sheet: Sheet::Speeds,
+        word: "speeds",
+        name: "speed diagram",
+        letter: 'K',
+        drawn: QuantityKind::Length,
+        scale_key: "mu_k",
+        scale_symbol: "μ_k",
+        scaled_units: "units of length",
+        segment: "L",
+        order: None,
+    },
 ];
 
 impl Sheet {
@@ -203,6 +217,7 @@ impl Sheet {
             Sheet::Centers => &FACTS[3],
             Sheet::Forces => &FACTS[4],
             Sheet::Lever => &FACTS[5],
+            Sheet::Speeds => &FACTS[6],
         }
     }
 
@@ -235,7 +250,7 @@ impl Sheet {
     pub fn has_places(self) -> bool {
         match self {
             Sheet::Velocity | Sheet::Acceleration | Sheet::Centers => true,
-            Sheet::Scheme | Sheet::Forces | Sheet::Lever => false,
+            Sheet::Scheme | Sheet::Forces | Sheet::Lever | Sheet::Speeds => false,
         }
     }
 
@@ -249,6 +264,7 @@ impl Sheet {
             Sheet::Centers => &[Sheet::Centers],
             Sheet::Forces => &[Sheet::Scheme, Sheet::Forces],
             Sheet::Lever => &[Sheet::Lever],
+            Sheet::Speeds => &[Sheet::Speeds],
         }
     }
 

@@ -3,7 +3,7 @@ import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { build } from "esbuild";
-import { base116 } from "./page/base116.mjs";
+import { base85 } from "./page/base85.mjs";
 import { sources } from "./sources.mjs";
 import { xz } from "./xz.mjs";
 
@@ -33,7 +33,7 @@ async function bundled(entry) {
 }
 
 /** A text or bytes, packed. */
-const packed = (contents) => base116(xz(contents));
+const packed = (contents) => base85(xz(contents));
 
 const [boot, script, worker, style] = await Promise.all(["boot.ts", "main.ts", "engine/worker.ts", "style.css"].map(bundled));
 if (/<\/script|<!--/i.test(boot)) throw new Error("the script would end its element");

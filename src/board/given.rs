@@ -41,7 +41,7 @@ impl Given {
         let mut solution = solution.clone();
         if solution.construction.extent != Extent::Points {
             let Solution { scene, mechanism, pose, motion, .. } = &solution;
-            solution.construction = asked_construction(&scene.figure, (mechanism, pose, motion), Extent::Points);
+            solution.construction = asked_construction(scene, (mechanism, pose, motion), Extent::Points);
         }
         let (mut places, mut there) = (IndexMap::new(), Vec::new());
         let Solution { mechanism, pose, construction, .. } = &solution;

@@ -6,6 +6,7 @@ use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{Along, LineId, Operation, PlaceId, StepId};
 use super::polygon::ForcePlan;
 use super::run::{Disturbance, Values};
+use super::speeds::SpeedDiagram;
 use super::step::{Action, Arrow, NumberedStep, Plan, Ray, VectorOf};
 use super::train::pitch_points;
 use crate::geometry::{Ball, Point};
@@ -34,6 +35,8 @@ pub struct Construction {
     pub forces: Option<Box<ForcePlan>>,
     /// The levers of the drives, where the figure asks for them.
     pub levers: Vec<Lever>,
+    /// The speed diagram, where the figure asks for it and there is a train.
+    pub speeds: Option<SpeedDiagram>,
     /// The sheets that a hand draws, whose quantities forms ask for: the mechanism and its plans; where the figure has the centres, these and the plans
     /// that it shows.
     pub by_hand: Vec<Sheet>,
@@ -96,6 +99,7 @@ impl Construction {
             centers: None,
             forces: None,
             levers: Vec::new(),
+            speeds: None,
             by_hand: Sheet::USUAL.to_vec(),
             turned: None,
             operations: Vec::new(),

@@ -7,7 +7,7 @@
 //!
 //! In reading order: `cut` (cut lines and special points); `operation` and `number` (what a hand and a calculator do),
 //! carried out by `run`; `writer`, which writes them down in the [`Construction`]; what is drawn: `body`,
-//! `leg`, `group`, `train` (wheels), `images`; `solution`, which goes through all groups; `kennedy`, instant centres on a sheet of their own; `polygon`, the force plan; `lever`, Zhukovsky's lever. `enclosed` carries all out on the true
+//! `leg`, `group`, `train` (wheels), `images`; `solution`, which goes through all groups; `kennedy`, instant centres on a sheet of their own; `polygon`, the force plan; `lever`, Zhukovsky's lever; `speeds`, Kutzbach's diagram of a train. `enclosed` carries all out on the true
 //! position and motion; `step`, `markup`, `sentence`, `equations` and `passage` are for captions; `turned` shows the velocity plan turned.
 //!
 //! To add something that a hand does: an [`OperationKind`] with its errors, and how it is carried out in `run`. To add
@@ -64,6 +64,7 @@ mod polygon;
 mod run;
 mod sentence;
 mod solution;
+mod speeds;
 mod step;
 mod train;
 mod turned;
@@ -96,6 +97,7 @@ pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::{PlanVector, Teller};
 pub(crate) use solution::asked_construction;
 pub use solution::{Solution, construct};
+pub use speeds::{PitchCircle, SpeedDiagram, SpeedLine, SpeedSpot, SpeedStep, SpotName};
 pub use step::{
     Action, Arrow, LegEquation, NOTHING, NumberedStep, Plan, PlanPoint, PointRole, RateEquation, Ray, RayOf, Relation,
     VectorOf, VectorPart, WheelEquation,

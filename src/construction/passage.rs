@@ -7,6 +7,7 @@ use super::markup::marked;
 use super::operation::StepId;
 use super::polygon::ForceStep;
 use super::sentence::Teller;
+use super::speeds::SpeedStep;
 use super::step::{Action, Arrow, NumberedStep, PointRole, Ray, RayOf, Relation, VectorOf};
 use crate::sheet::Sheet;
 use crate::words::Language;
@@ -36,6 +37,10 @@ pub enum Aim {
     Polygon,
     /// What a drive needs, by its lever.
     Lever,
+    /// The lines of velocities along a line of centres.
+    VelocityLines,
+    /// The angular velocities that parallels to them cut off.
+    SpeedFan,
     /// The centre of curvature of a path.
     Curvature,
     /// That there is no construction.
@@ -76,7 +81,7 @@ impl Construction {
                     && match aim {
                         Aim::SpecialPoints => own == group,
                         Aim::Crossing => !is_reached || step.action.is_measured(),
-                        Aim::Start | Aim::Images => true,
+                        Aim::Start | Aim::Images | Aim::VelocityLines | Aim::SpeedFan => true,
                         Aim::Rates | Aim::Center | Aim::CenterVelocity | Aim::Curvature | Aim::Lever => !is_reached,
                         Aim::Polygon => step.action.polygon() == polygon,
                         Aim::Nothing | Aim::PermanentCenters | Aim::Moments => false,
@@ -123,6 +128,8 @@ fn aim(steps: &[NumberedStep<'_>], last: Option<Aim>) -> Aim {
         Action::RateByCenters { .. } | Action::RateBySlide { .. } | Action::VelocityByCenters(_) => Aim::CenterVelocity,
         Action::Curvature { .. } => Aim::Curvature,
         Action::Lever(_) => Aim::Lever,
+        Action::Speeds(SpeedStep::Pole | SpeedStep::Ray(_)) => Aim::SpeedFan,
+        Action::Speeds(_) => Aim::VelocityLines,
         Action::Force(ForceStep::ByNumbers(_)) => Aim::Nothing,
         Action::Force(_) => {
             if first.action.polygon().is_some() {
@@ -217,6 +224,8 @@ impl Teller<'_> {
                 let is_told = |step: &&NumberedStep<'_>| !matches!(step.action, Action::Lever(LeverStep::Arm(..)));
                 steps.iter().filter(is_told).map(|step| self.caption(step)).collect()
             }
+            // The others do the same with further links.
+            Aim::VelocityLines | Aim::SpeedFan => steps.iter().take(2).map(|step| self.caption(step)).collect(),
             Aim::Nothing | Aim::PermanentCenters | Aim::CenterVelocity | Aim::Curvature | Aim::Moments => {
                 steps.iter().map(|step| self.caption(step)).collect()
             }

@@ -126,7 +126,10 @@ impl<'a> Teller<'a> {
             Action::NoConstruction(far) => no_construction(self.words, far),
             other => {
                 let found = self.caption_of_centers(other).or_else(|| self.caption_of_forces(other));
-                found.or_else(|| self.caption_of_lever(other)).unwrap_or_default()
+                found
+                    .or_else(|| self.caption_of_lever(other))
+                    .or_else(|| self.caption_of_speeds(other))
+                    .unwrap_or_default()
             }
         }
     }
@@ -152,7 +155,10 @@ impl<'a> Teller<'a> {
             | Action::NoConstruction(_) => Formula::default(),
             other => {
                 let found = self.formula_of_centers(other).or_else(|| self.formula_of_forces(other));
-                found.or_else(|| self.formula_of_lever(other)).unwrap_or_default()
+                found
+                    .or_else(|| self.formula_of_lever(other))
+                    .or_else(|| self.formula_of_speeds(other))
+                    .unwrap_or_default()
             }
         }
     }

@@ -7,6 +7,7 @@ use super::leg::DrawnSpecial;
 use super::lever::levers;
 use super::markup::{no_construction, plain_text};
 use super::polygon::force_plan;
+use super::sentence::Teller;
 use super::step::Action;
 use super::writer::Writer;
 use crate::centers::LinkPair;
@@ -46,7 +47,7 @@ impl Solution {
             ConstructionShown::Paper => Extent::Rates,
             ConstructionShown::Whole | ConstructionShown::Hidden => Extent::Points,
         };
-        let construction = asked_construction(&scene.figure, (&mechanism, &pose, &motion), extent);
+        let construction = asked_construction(&scene, (&mechanism, &pose, &motion), extent);
         // A work sheet is drawn on.
         let turned = scene.figure.turned.filter(|_| !scene.figure.worksheet);
         let turned = turned.map(|sense| Box::new(construction.turned(sense)));
@@ -112,7 +113,9 @@ impl Solution {
         let centers = centers.into_iter().map(|sentence| plain_text(&sentence));
         let off = self.off_guides().map(|message| language.says(&message));
         let found = found.into_iter().flatten().map(|warning| language.says(warning)).chain(off);
-        found.chain(without).chain(centers).chain(friction)
+        let is_asked = self.scene.figure.shown_panels().contains(&Sheet::Speeds);
+        let speeds = Teller::new(self, &own).missing_of_speeds(is_asked).map(|sentence| plain_text(&sentence));
+        found.chain(without).chain(centers).chain(speeds).chain(friction)
     }
 }
 
@@ -139,15 +142,22 @@ pub fn construct(mechanism: &Mechanism, pose: &Pose, motion: &Motion, extent: Ex
 
 /// The construction with all that a figure asks for beside the plans.
 pub(crate) fn asked_construction(
-    figure: &Figure,
+    scene: &Scene,
     (mechanism, pose, motion): (&Mechanism, &Pose, &Motion),
     extent: Extent,
 ) -> Construction {
+    let figure = &scene.figure;
     let mut construction = construct(mechanism, pose, motion, extent);
     if figure.shown_panels().contains(&Sheet::Centers) {
         construction = with_centers(figure, (mechanism, pose, motion), construction);
     }
-    with_forces(figure, (mechanism, pose, motion), construction)
+    construction = with_forces(figure, (mechanism, pose, motion), construction);
+    if figure.shown_panels().contains(&Sheet::Speeds) {
+        let mut writer = Writer::continued(mechanism, pose, motion, construction);
+        writer.speeds(scene);
+        construction = writer.construction;
+    }
+    construction
 }
 
 /// A construction with the instant centres and the velocities by centres that a figure asks for.

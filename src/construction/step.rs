@@ -4,6 +4,7 @@ use super::cut::SpecialId;
 use super::kennedy::{CenterId, CenterLine, Centers, CurvatureStep, FigureOf};
 use super::lever::{Lever, LeverStep};
 use super::polygon::{ForcePlan, ForceStep};
+use super::speeds::SpeedStep;
 use crate::centers::LinkPair;
 use crate::geometry::Vector;
 use crate::mechanism::{BodyId, DrivenSlide, GROUND, JointId, PointId, SliderId};
@@ -139,6 +140,8 @@ pub enum Action {
     Force(ForceStep),
     /// Something of a lever.
     Lever(LeverStep),
+    /// Something of the speed diagram.
+    Speeds(SpeedStep),
     /// There is no construction by two rays: names of the special points at infinity, where these are the reason; else
     /// none.
     NoConstruction(Vec<String>),

@@ -5,6 +5,7 @@ use super::{CycleError, Event, Happening, Path, Sampled};
 use crate::kernel::InputKind;
 use crate::mechanism::BodyId;
 use crate::quantity::{QuantityError, QuantityKind, QuantityRequest};
+use std::f64::consts::TAU;
 
 /// A curve whose values spread by less than this part of [`typical_size`] is constant.
 const FLAT: f64 = 1e-6;
@@ -301,8 +302,7 @@ fn typical_size(path: &Path, kind: QuantityKind) -> f64 {
         QuantityKind::Angle => 360.0,
         QuantityKind::AngularVelocity => first,
         QuantityKind::AngularAcceleration => second,
-        // A revolution a minute is about a tenth of a radian per second.
-        QuantityKind::RotationalSpeed => first * 10.0,
+        QuantityKind::RotationalSpeed => first * path.mechanism.time.in_a_minute() / TAU,
         QuantityKind::SpeedRatio => 1.0,
         QuantityKind::Position | QuantityKind::Length => size,
         QuantityKind::Velocity => first * size,

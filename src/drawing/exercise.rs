@@ -303,7 +303,7 @@ fn panel_of_forces<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Option<Pa
 fn panel<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Option<Panel<'a>> {
     match sheet {
         Sheet::Centers => return Some(panel_of_centers(context)),
-        Sheet::Forces | Sheet::Lever => return panel_of_forces(context, sheet),
+        Sheet::Forces | Sheet::Lever | Sheet::Speeds => return panel_of_forces(context, sheet),
         _ => {}
     }
     let plan = context.plan(sheet)?;

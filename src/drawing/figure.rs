@@ -404,6 +404,7 @@ fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> Message {
         Sheet::Centers => says::centers(),
         Sheet::Forces => says::force_plan(),
         Sheet::Lever => says::lever(),
+        Sheet::Speeds => says::speeds(),
     };
     let written = |mu| Wording::default().write(mu, SCALE);
     let fitting = fitting.map_or_else(says::no_scale, |mu| written(mu).into());

@@ -104,6 +104,7 @@ mod scheme;
 mod shape;
 mod sheet;
 mod sheet_notes;
+mod speeds;
 mod steady;
 mod style;
 mod table;

@@ -15,6 +15,7 @@ use super::scale_bar::ScaleBars;
 use super::scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
+use super::speeds;
 use super::text::{CAPTION, RichText};
 use super::view::{Extent, Series, View};
 use crate::construction::{Construction, Plan, Solution};
@@ -235,6 +236,7 @@ fn extents_with(context: &SheetContext<'_>, scheme: impl Fn(&SheetContext<'_>) -
         let extent = match sheet {
             Sheet::Scheme => scheme(context),
             Sheet::Centers => centers::extent(context),
+            Sheet::Speeds => speeds::extent(context)?,
             plan => plan_extent(plan, context.construction(), context.figure().construction)?,
         };
         Some((sheet, extent))
@@ -285,10 +287,19 @@ pub(super) fn extents_in(own: &SheetContext<'_>, cycles: impl IntoIterator<Item:
 /// not have, and of the scheme.
 pub(super) fn plan_extent(sheet: Sheet, construction: &Construction, details: ConstructionShown) -> Option<Extent> {
     match sheet {
-        Sheet::Scheme | Sheet::Centers => None,
+        Sheet::Scheme | Sheet::Centers | Sheet::Speeds => None,
         Sheet::Forces => forces::extent(construction),
         Sheet::Lever => lever::extent(construction),
         Sheet::Velocity | Sheet::Acceleration => Some(plan::on_paper::extent(construction.plan_on(sheet)?, details)),
+    }
+}
+
+/// White between the heading of a panel and its content for what stands there, in mm.
+fn above(context: &SheetContext<'_>, sheet: Sheet) -> f64 {
+    match sheet {
+        Sheet::Speeds => speeds::ABOVE,
+        Sheet::Velocity | Sheet::Acceleration => 0.0,
+        _ => scheme::above(context),
     }
 }
 
@@ -306,7 +317,7 @@ pub(super) fn panels<'a>(
             ..Frame::new(line(&numbered(index, name)), Pen::Heading).with_scale(context)
         };
         let needs = Needs {
-            above: if sheet.order().is_none() { scheme::above(context) } else { 0.0 },
+            above: above(context, sheet),
             mu: context.surface.mu[sheet],
             weight: if context.figure().focus.is_some_and(|focus| focus != sheet) {
                 COMPANION
@@ -327,19 +338,19 @@ pub(super) fn panels<'a>(
 
 /// The layer with the scheme or a plan.
 pub(super) fn content<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Layer<'a> {
-    layer(context, sheet, [scheme::draw, centers::draw, forces::draw, lever::draw], plan::draw)
+    layer(context, sheet, [scheme::draw, centers::draw, forces::draw, lever::draw, speeds::draw], plan::draw)
 }
 
 /// The layer with the hints at the subject of each step.
 pub(super) fn hints<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Layer<'a> {
-    layer(context, sheet, [scheme::hints, centers::hints, |_, _, _| (), lever::hints], plan::hints)
+    layer(context, sheet, [scheme::hints, centers::hints, |_, _, _| (), lever::hints, |_, _, _| ()], plan::hints)
 }
 
 /// A layer of the scheme or of a plan; a plan that a position does not have is not drawn.
 fn layer<'a>(
     context: &'a SheetContext<'a>,
     sheet: Sheet,
-    [of_scheme, of_centers, of_forces, of_lever]: [fn(&mut Canvas<'_>, &View, &SheetContext<'_>); 4],
+    [of_scheme, of_centers, of_forces, of_lever, of_speeds]: [fn(&mut Canvas<'_>, &View, &SheetContext<'_>); 5],
     of_plan: fn(&mut Canvas<'_>, &View, &SheetContext<'_>, &Plan),
 ) -> Layer<'a> {
     Box::new(move |canvas: &mut Canvas<'_>, view: &View| match sheet {
@@ -347,6 +358,7 @@ fn layer<'a>(
         Sheet::Centers => of_centers(canvas, view, context),
         Sheet::Forces => of_forces(canvas, view, context),
         Sheet::Lever => of_lever(canvas, view, context),
+        Sheet::Speeds => of_speeds(canvas, view, context),
         Sheet::Velocity | Sheet::Acceleration => {
             if let Some(plan) = context.plan(sheet) {
                 of_plan(canvas, view, context, plan);

@@ -32,6 +32,8 @@ impl Writer<'_> {
             | Aim::Nothing
             | Aim::PermanentCenters
             | Aim::CenterVelocity
+            | Aim::VelocityLines
+            | Aim::SpeedFan
             | Aim::Curvature
             | Aim::Moments => steps.iter().collect(),
         };

@@ -9,6 +9,7 @@ messages! { "drawing":
     centers;
     force_plan;
     lever;
+    speeds;
     overflow(panel, key, given, fitting);
     no_scale;
     cost_of_list(scales);

@@ -34,6 +34,12 @@ pub(super) struct ScaleBars {
     pub series: Series,
 }
 
+/// What a scale is of.
+pub(super) struct Scaled<'a> {
+    pub symbol: &'a str,
+    pub unit: String,
+}
+
 /// A scale, and a bar of a round value.
 pub(super) struct ScaleBar {
     /// Symbol and value; none where the bar stands alone.
@@ -51,34 +57,47 @@ impl ScaleBars {
 
     /// The scale of a sheet: `mu` units a millimetre.
     pub(super) fn bar(&self, sheet: Sheet, mu: f64) -> ScaleBar {
+        self.whole(&self.of_sheet(sheet), mu)
+    }
+
+    /// Symbol and unit of the scale of a sheet.
+    fn of_sheet(&self, sheet: Sheet) -> Scaled<'static> {
+        Scaled { symbol: sheet.facts().scale_symbol, unit: sheet.facts().drawn.unit(self.units) }
+    }
+
+    fn whole(&self, scaled: &Scaled<'_>, mu: f64) -> ScaleBar {
         if self.series == Series::Any {
-            return self.alone(sheet, mu, ALONE[1]);
+            return self.alone(scaled, mu, ALONE[1]);
         }
-        let text = format!("{} {}", self.words.write(BAR * mu, ON_SHEET), sheet.facts().drawn.unit(self.units));
-        ScaleBar { value: Some(self.value(sheet, mu)), bar: Some((RichText::plain(&text), BAR / self.unit)) }
+        let text = format!("{} {}", self.words.write(BAR * mu, ON_SHEET), scaled.unit);
+        ScaleBar { value: Some(self.value(scaled, mu)), bar: Some((RichText::plain(&text), BAR / self.unit)) }
     }
 
     /// The scale of a sheet in a room of that width in mm: without the bar, or with a shorter one alone.
     pub(super) fn bar_within(&self, sheet: Sheet, mu: f64, width: f64) -> ScaleBar {
-        let whole = self.bar(sheet, mu);
+        self.scaled_within(&self.of_sheet(sheet), mu, width)
+    }
+
+    /// The same of any scale.
+    pub(super) fn scaled_within(&self, scaled: &Scaled<'_>, mu: f64, width: f64) -> ScaleBar {
+        let whole = self.whole(scaled, mu);
         if whole.width() <= width {
             return whole;
         }
         match self.series {
             Series::Any => {
                 let length = whole.bar.as_ref().map_or(0.0, |(_, length)| *length);
-                self.alone(sheet, mu, (length - whole.width() + width).max(ALONE[0]))
+                self.alone(scaled, mu, (length - whole.width() + width).max(ALONE[0]))
             }
-            _ => self.narrowest(sheet, mu),
+            _ => ScaleBar { value: Some(self.value(scaled, mu)), bar: None },
         }
     }
 
     /// A bar of a round value of at most this length, in units of the layout.
-    fn alone(&self, sheet: Sheet, mu: f64, most: f64) -> ScaleBar {
+    fn alone(&self, scaled: &Scaled<'_>, mu: f64, most: f64) -> ScaleBar {
         let mu = mu * self.unit;
         let shown = next_of(&[1.0, 2.0, 5.0], 0.4 * most * mu);
-        let unit = sheet.facts().drawn.unit(self.units);
-        let text = RichText::plain(&format!("{} {unit}", self.words.write(shown, ON_SHEET)));
+        let text = RichText::plain(&format!("{} {}", self.words.write(shown, ON_SHEET), scaled.unit));
         // Of a scale that is next to nothing no value is as small as a bar is short.
         let is_bar = shown / mu <= 2.0 * most;
         ScaleBar { value: None, bar: is_bar.then_some((text, shown / mu)) }
@@ -101,17 +120,17 @@ impl ScaleBars {
     /// The narrowest scale of a sheet: without the bar, or with a short one alone.
     pub(super) fn narrowest(&self, sheet: Sheet, mu: f64) -> ScaleBar {
         match self.series {
-            Series::Any => self.alone(sheet, mu, ALONE[0]),
-            _ => ScaleBar { value: Some(self.value(sheet, mu)), bar: None },
+            Series::Any => self.alone(&self.of_sheet(sheet), mu, ALONE[0]),
+            _ => ScaleBar { value: Some(self.value(&self.of_sheet(sheet), mu)), bar: None },
         }
     }
 
     /// Symbol and value of a scale.
-    fn value(&self, sheet: Sheet, mu: f64) -> [RichText; 2] {
-        let unit = sheet.facts().drawn.unit(self.units);
+    fn value(&self, scaled: &Scaled<'_>, mu: f64) -> [RichText; 2] {
+        let unit = &scaled.unit;
         let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
         let value = RichText::plain(&format!("= {} {per_mm}", self.words.write(mu, ON_SHEET)));
-        [RichText::math(sheet.facts().scale_symbol), value]
+        [RichText::math(scaled.symbol), value]
     }
 }
 

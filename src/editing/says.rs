@@ -47,6 +47,7 @@ messages! { "editing":
     held_length(point, length);
     held_angle(point, link);
     held_guide(point, slider);
+    held_rack(point);
     held_nowhere;
     held_rounded;
     held_try;

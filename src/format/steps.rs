@@ -318,7 +318,8 @@ impl StepList<'_> {
             | Action::VelocityByCenters(_)
             | Action::Curvature { .. }
             | Action::Force(_)
-            | Action::Lever(_) => {
+            | Action::Lever(_)
+            | Action::Speeds(_) => {
                 if let (Action::Force(_), Some(force)) = (step.action, self.teller.force_of_step(step.action)) {
                     let names = step.names();
                     let band = names
@@ -329,7 +330,7 @@ impl StepList<'_> {
                 if equation.is_empty() {
                     return Vec::new();
                 }
-                if matches!(step.action, Action::Force(_) | Action::Lever(_)) {
+                if matches!(step.action, Action::Force(_) | Action::Lever(_) | Action::Speeds(_)) {
                     return self.of_forces(step, equation);
                 }
                 let names = step.names();

@@ -151,6 +151,13 @@ lever_turn = Den Geschwindigkeitsplan um 90° im Uhrzeigersinn drehen: er ist ei
 lever_turn_for = Die Geschwindigkeiten um 90° im Uhrzeigersinn drehen, während {$drive} mit Rate 1 läuft und die anderen Antriebe stehen: sie bilden einen Hebel.
 lever_arm = {$force} wirkt im Bild ihres Punktes: den Hebelarm messen.
 lever_effort = Momente um den Pol ergeben {$effort}: keine Gelenkkraft hat eines.
+speeds_train = Die Mittenlinie mit Mittelpunkten und Wälzpunkten im Längenmaßstab zeichnen; Geschwindigkeiten werden normal dazu abgetragen.
+speeds_given = Die Geschwindigkeiten von {$from} und {$to} abtragen: alle Geschwindigkeiten von {$link} auf der Mittenlinie enden auf der Geraden durch ihre Spitzen.
+speeds_line = {$from} und {$to} haben Geschwindigkeiten, die schon da sind: die von {$link} enden auf der Geraden durch ihre Spitzen.
+speeds_pole = Einen Punkt o wählen und darunter eine Grundlinie, in dem Abstand, der den Maßstab der Winkelgeschwindigkeiten rund macht.
+speeds_ray = Die Parallele durch o zur Geraden von {$link} schneidet {$rate} auf der Grundlinie ab.
+speeds_none = es gibt keinen Kutzbachplan: keine zwei Räder kämmen
+speeds_left_out = der Kutzbachplan gilt für die Mittenlinie durch {$line}; die Mittelpunkte der Räder bei {$meshes} liegen auf einer anderen Geraden
 
 # The figure.
 
@@ -163,6 +170,7 @@ acceleration_plan = Beschleunigungsplan
 centers = Momentanpole
 force_plan = Kräfteplan
 lever = Hebel
+speeds = Kutzbachplan
 far_away = {$point}: {$distance} von {$from}
 far_in_plan = bis {$point}: {$distance}
 cut_at_edge = am Rand abgeschnitten
@@ -210,12 +218,14 @@ named_acceleration_plan = Beschleunigungsplan
 named_centers = Momentanpole
 named_force_plan = Kräfteplan
 named_lever = Hebel
+named_speeds = Kutzbachplan
 described_scheme = der Mechanismus im Maßstab
 described_velocity_plan = sein Geschwindigkeitsplan
 described_acceleration_plan = sein Beschleunigungsplan
 described_centers = seine Momentanpole
 described_force_plan = sein Kräfteplan
 described_lever = sein Hebel
+described_speeds = sein Kutzbachplan
 described_group = Klasse {$class}, Glieder {$links}
 higher = über IV
 
@@ -1429,6 +1439,7 @@ editing-held_point = {$point} ist festgehalten
 editing-held_length = {$point} bewegt sich auf einem Kreis: {$length} ist festgehalten
 editing-held_angle = {$point} bewegt sich auf einer Geraden: der Winkel von Glied {$link} ist festgehalten
 editing-held_guide = {$point} bewegt sich auf einer Geraden: der Führung von {$slider}
+editing-held_rack = {$point} bewegt sich quer zur Führung: längs geht die Zahnstange mit ihrem Rad
 editing-held_nowhere = das Gelenk kann nicht dorthin
 editing-held_rounded = mit dem Gelenk an diesem Ort lassen gerundete Längen den anderen Gelenken keinen Platz nahe ihrem eigenen
 editing-held_try = ziehen Sie das Gelenk an einen anderen Ort
@@ -1442,6 +1453,7 @@ drawing-acceleration_plan = der Beschleunigungsplan
 drawing-centers = die Figur der Momentanpole
 drawing-force_plan = Kräfteplan
 drawing-lever = Hebel
+drawing-speeds = Kutzbachplan
 drawing-overflow = {$panel} passt bei {$key} = {$given} nicht in sein Feld und ist dort abgeschnitten; {$fitting} passt, oder ein größeres Blatt
 drawing-no_scale = keiner
 drawing-cost_of_list = die Maßstäbe lassen Platz für die Ergebnisliste: {$scales}
@@ -2091,6 +2103,7 @@ page-mechanism-open_file = Öffnen…
 page-mechanism-groups_bars = Eine Schleife
 page-mechanism-groups_more = Sechs Glieder
 page-mechanism-groups_drives = Mehrere Antriebe
+page-mechanism-groups_wheels = Räder und Kurven
 page-mechanism-groups_class = Dritte und vierte Klasse
 page-mechanism-groups_drawn = Gruppen wie im Lehrbuch
 page-mechanism-groups_paper = Aus dem Artikel
@@ -2700,6 +2713,12 @@ page-sheets-lever_panel = Hebel
 page-sheets-lever_name = Hebel
 page-sheets-lever_title = Hebel
 page-sheets-lever_from = Aus dem Hebel
+page-sheets-speeds_short = Kutzbach
+page-sheets-speeds_scaled = Kutzbachplan
+page-sheets-speeds_panel = Kutzbachplan
+page-sheets-speeds_name = Kutzbachplan
+page-sheets-speeds_title = Kutzbachplan
+page-sheets-speeds_from = Aus dem Kutzbachplan
 
 
 ## The workbench: refused
@@ -2736,6 +2755,18 @@ page-kinds-title-dyad-rrp = Zweischlag RRP: Koppel und Gleitstein
 page-kinds-title-dyad-rpr = Zweischlag RPR: Gleitstein im Schlitz eines Hebels
 page-kinds-title-dyad-prp = Zweischlag PRP: zwei Gleitsteine an einem Bolzen
 page-kinds-title-dyad-rpp = Zweischlag RPP: Gleitstein im Schlitz eines Schiebers
+page-kinds-title-gear-train = Rädergetriebe mit Zwischenrad
+page-kinds-title-planetary = Planetengetriebe
+page-kinds-title-planetary-sun-fixed = Planetengetriebe mit festem Sonnenrad
+page-kinds-title-planetary-carrier-fixed = Planetengetriebe mit festem Steg
+page-kinds-title-differential = Differential mit zwei Antrieben
+page-kinds-title-reverted-train = Rückkehrendes Getriebe
+page-kinds-title-sun-and-planet = Sonnen- und Planetenrad von Watt
+page-kinds-title-rack-and-pinion = Zahnstange und Ritzel
+page-kinds-title-geared-five-bar = Räderkoppelgetriebe mit fünf Gliedern
+page-kinds-title-geneva = Malteserrad
+page-kinds-title-eccentric-cam = Exzenter mit Rolle
+page-kinds-title-flat-follower = Exzenter mit ebenem Hebel
 page-kinds-note-dyad-prp = Wie an der Tafel gezeichnet. Bolzen C verbindet die Gleitsteine 2 und 3: Gleitstein 2 gleitet auf Glied 1, dessen ganze Bewegung bekannt ist, Gleitstein 3 auf einer festen Führung.
 page-kinds-note-dyad-rpp = Wie an der Tafel gezeichnet: eine Kreuzschubkurbel. Gleitstein 2, in B an einer Kurbel gelagert, gleitet in der Kreuzschleife 3, die am Gestell gleitet.
 page-kinds-note-dyad-rpr = Wie an der Tafel gezeichnet: „points“ gibt alle Koordinaten an, „known“ die Bewegung der äußeren Gelenke B und D. Der Beschleunigungsplan hat einen Coriolisanteil.
@@ -2753,6 +2784,18 @@ page-kinds-note-third-class = Das ternäre Glied 3 hängt an drei Lenkern: 2 am 
 page-kinds-note-toggle-press = Kurbel 1 und Koppel 2 strecken die Kniehebel 3 und 4, die den Stößel 5 nach unten drücken: langsam und kräftig nahe dem Ende. C ist ein Bolzen durch drei Glieder.
 page-kinds-note-watt-1 = Ein Viergelenk A-B-C-D, dessen Koppel 2 und Schwinge 3 die zweite Schleife C-E-G-F tragen: zwei Zweischläge, nacheinander gelöst.
 page-kinds-note-whitworth = Kurbel 1 dreht sich gleichförmig; Gleitstein 2 an ihrem Bolzen treibt die Kulisse 3 ganz herum; Koppel 4 treibt den Stößel 5 an.
+page-kinds-note-gear-train = Rad 1 treibt Rad 3 über das Zwischenrad 2, das nur den Drehsinn ändert.
+page-kinds-note-planetary = Steg 1 treibt an. Planet 2 rollt im festen Hohlrad und treibt Sonnenrad 3.
+page-kinds-note-planetary-sun-fixed = Ein Schnellgang: Steg 1 treibt an, Planet 2 rollt auf dem festen Sonnenrad und nimmt Hohlrad 3 mit.
+page-kinds-note-planetary-carrier-fixed = Sonnenrad 1 treibt an. Der Zapfen von Rad 2 steht still, und Hohlrad 3 dreht sich anders herum.
+page-kinds-note-differential = Sonnenrad 3 und Hohlrad 4 treiben an; Planet 2 rollt zwischen ihnen und nimmt Steg 1 mit.
+page-kinds-note-reverted-train = Planet 2 hat zwei Verzahnungen: die eine rollt auf dem festen Sonnenrad, die andere treibt Sonnenrad 3. Steg 1 treibt an.
+page-kinds-note-sun-and-planet = James Watt, 1781: Rad 2 sitzt fest an der Stange und umläuft Rad 4, das sich bei jeder Umdrehung von Steg 1 zweimal dreht.
+page-kinds-note-rack-and-pinion = Kurbel 1 und Koppel 2 schieben einen Wagen, dessen Rad 4 auf einer festen Zahnstange rollt und Zahnstange 5 doppelt so schnell wie den Wagen treibt.
+page-kinds-note-geared-five-bar = Die Kurbeln 1 und 4 sind Räder im Eingriff: die zweite dreht sich doppelt so schnell und anders herum.
+page-kinds-note-geneva = Vier Schlitze. `travel` sagt, wo ein Schlitz endet: das Rad bewegt sich eine Viertelumdrehung der Kurbel lang und ruht dann.
+page-kinds-note-eccentric-cam = Eine Scheibe, deren Mitte K 20 mm von der Welle liegt; Glied 2 von K zur Rollenmitte C bewegt sich wie die Berührung.
+page-kinds-note-flat-follower = Die Scheibe berührt eine gerade Fläche von Hebel 2: ihre Mitte K bewegt sich auf einer Geraden neben dieser Fläche, im Abstand des Halbmessers.
 
 
 ## The workbench: editor

@@ -157,6 +157,13 @@ lever_turn = Turn the velocity plan by 90° clockwise: it is a lever.
 lever_turn_for = Turn the velocities by 90° clockwise, while {$drive} runs at rate 1 and the other drives stand: they are a lever.
 lever_arm = {$force} acts at the image of its point: measure its arm.
 lever_effort = Moments about the pole give {$effort}: no joint's force has one.
+speeds_train = Draw the line of centres with centres and pitch points at the scale of lengths; velocities are laid off normal to it.
+speeds_given = Lay off the velocities of {$from} and {$to}: all velocities of {$link} along the line end on the line through their tips.
+speeds_line = {$from} and {$to} have velocities that are there: those of {$link} end on the line through their tips.
+speeds_pole = Choose a point o and a base below it, at the distance that makes the scale of angular velocities round.
+speeds_ray = The parallel through o to the line of {$link} cuts {$rate} off the base.
+speeds_none = there is no speed diagram: no two wheels mesh
+speeds_left_out = the speed diagram is that of the line of centres through {$line}; the centres of the wheels at {$meshes} lie on another line
 
 # The figure.
 
@@ -170,6 +177,7 @@ acceleration_plan = Acceleration plan
 centers = Instant centres
 force_plan = Force plan
 lever = Lever
+speeds = Speed diagram
 # A special point that lies off the sheet.
 far_away = {$point}: {$distance} from {$from}
 # At the line to an image that lies off the panel.
@@ -224,12 +232,14 @@ named_acceleration_plan = acceleration plan
 named_centers = instant centres
 named_force_plan = force plan
 named_lever = lever
+named_speeds = speed diagram
 described_scheme = the mechanism to scale
 described_velocity_plan = its velocity plan
 described_acceleration_plan = its acceleration plan
 described_centers = its instant centres
 described_force_plan = its force plan
 described_lever = its lever
+described_speeds = its speed diagram
 described_group = class {$class}, links {$links}
 # The class of a group above class IV.
 higher = higher
@@ -1462,6 +1472,7 @@ editing-held_point = {$point} is pinned
 editing-held_length = {$point} moves on a circle: {$length} is pinned
 editing-held_angle = {$point} moves on a line: the angle of link {$link} is pinned
 editing-held_guide = {$point} moves on a line: the guide of {$slider}
+editing-held_rack = {$point} moves across its guide: along it the rack goes with its wheel
 editing-held_nowhere = the joint cannot go there
 editing-held_rounded = with the joint there, rounded lengths leave the other joints no place near their own
 editing-held_try = pull the joint to another place
@@ -1475,6 +1486,7 @@ drawing-acceleration_plan = acceleration plan
 drawing-centers = figure of instant centres
 drawing-force_plan = force plan
 drawing-lever = lever
+drawing-speeds = speed diagram
 drawing-overflow = the {$panel} does not fit into its panel at {$key} = {$given} and is cut off there; {$fitting} fits, or a larger sheet
 drawing-no_scale = none
 drawing-cost_of_list = scales leave room for the list of results: {$scales}
@@ -2124,6 +2136,7 @@ page-mechanism-open_file = Open…
 page-mechanism-groups_bars = One loop
 page-mechanism-groups_more = Six links
 page-mechanism-groups_drives = Several drives
+page-mechanism-groups_wheels = Wheels and cams
 page-mechanism-groups_class = Third and fourth class
 page-mechanism-groups_drawn = Groups as a textbook draws them
 page-mechanism-groups_paper = From the paper
@@ -2733,6 +2746,12 @@ page-sheets-lever_panel = Lever
 page-sheets-lever_name = lever
 page-sheets-lever_title = Lever
 page-sheets-lever_from = From the lever
+page-sheets-speeds_short = Speeds
+page-sheets-speeds_scaled = Speeds
+page-sheets-speeds_panel = Speed diagram
+page-sheets-speeds_name = speed diagram
+page-sheets-speeds_title = Speed diagram
+page-sheets-speeds_from = From the speed diagram
 
 
 ## The workbench: refused

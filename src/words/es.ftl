@@ -149,6 +149,13 @@ lever_turn = Se gira el plano de velocidades 90° en sentido horario: es una pal
 lever_turn_for = Se giran las velocidades 90° en sentido horario, mientras {$drive} marcha a velocidad 1 y los demás accionamientos están parados: forman una palanca.
 lever_arm = {$force} actúa en la imagen de su punto: se mide su brazo.
 lever_effort = Los momentos respecto al polo dan {$effort}: ninguna reacción tiene momento.
+speeds_train = Se dibuja la línea de centros con centros y puntos primitivos a la escala de longitudes; las velocidades se llevan normales a ella.
+speeds_given = Se llevan las velocidades de {$from} y {$to}: todas las velocidades de {$link} en la línea de centros terminan en la recta por sus extremos.
+speeds_line = {$from} y {$to} tienen velocidades ya conocidas: las de {$link} terminan en la recta por sus extremos.
+speeds_pole = Se elige un punto o y una base debajo, a la distancia que hace redonda la escala de velocidades angulares.
+speeds_ray = La paralela por o a la recta de {$link} corta {$rate} en la base.
+speeds_none = no hay diagrama de Kutzbach: no engranan dos ruedas
+speeds_left_out = el diagrama de Kutzbach es el de la línea de centros por {$line}; los centros de las ruedas de {$meshes} están en otra recta
 
 # The figure.
 
@@ -161,6 +168,7 @@ acceleration_plan = Plano de aceleraciones
 centers = Centros instantáneos
 force_plan = Plano de fuerzas
 lever = Palanca
+speeds = Diagrama de Kutzbach
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = hasta {$point}: {$distance}
 cut_at_edge = recortado en el borde
@@ -208,12 +216,14 @@ named_acceleration_plan = plano de aceleraciones
 named_centers = centros instantáneos
 named_force_plan = plano de fuerzas
 named_lever = palanca
+named_speeds = diagrama de Kutzbach
 described_scheme = el mecanismo a escala
 described_velocity_plan = su plano de velocidades
 described_acceleration_plan = su plano de aceleraciones
 described_centers = sus centros instantáneos
 described_force_plan = su plano de fuerzas
 described_lever = su palanca
+described_speeds = su diagrama de Kutzbach
 described_group = clase {$class}, eslabones {$links}
 higher = superior
 
@@ -1427,6 +1437,7 @@ editing-held_point = {$point} está fijado
 editing-held_length = {$point} se mueve en una circunferencia: {$length} está fijada
 editing-held_angle = {$point} se mueve en una recta: el ángulo del eslabón {$link} está fijado
 editing-held_guide = {$point} se mueve en una recta: la guía de {$slider}
+editing-held_rack = {$point} se mueve a través de su guía: a lo largo de ella la cremallera va con su rueda
 editing-held_nowhere = la articulación no puede ir ahí
 editing-held_rounded = con la articulación ahí, las longitudes redondeadas no dejan a las demás articulaciones un lugar cerca del suyo
 editing-held_try = arrastre la articulación a otro lugar
@@ -1440,6 +1451,7 @@ drawing-acceleration_plan = el plano de aceleraciones
 drawing-centers = la figura de centros instantáneos
 drawing-force_plan = plano de fuerzas
 drawing-lever = palanca
+drawing-speeds = diagrama de Kutzbach
 drawing-overflow = {$panel} no cabe en su panel con {$key} = {$given} y queda recortado; cabe con {$fitting}, o en una hoja mayor
 drawing-no_scale = ninguna
 drawing-cost_of_list = las escalas dejan espacio para la lista de resultados: {$scales}
@@ -2089,6 +2101,7 @@ page-mechanism-open_file = Abrir…
 page-mechanism-groups_bars = Un lazo
 page-mechanism-groups_more = Seis eslabones
 page-mechanism-groups_drives = Varios accionamientos
+page-mechanism-groups_wheels = Ruedas y levas
 page-mechanism-groups_class = Tercera y cuarta clase
 page-mechanism-groups_drawn = Grupos como en un libro
 page-mechanism-groups_paper = Del artículo
@@ -2698,6 +2711,12 @@ page-sheets-lever_panel = Palanca
 page-sheets-lever_name = palanca
 page-sheets-lever_title = Palanca
 page-sheets-lever_from = De la palanca
+page-sheets-speeds_short = Kutzbach
+page-sheets-speeds_scaled = Kutzbach
+page-sheets-speeds_panel = Diagrama de Kutzbach
+page-sheets-speeds_name = diagrama de Kutzbach
+page-sheets-speeds_title = Diagrama de Kutzbach
+page-sheets-speeds_from = Del diagrama de Kutzbach
 
 
 ## The workbench: refused
@@ -2734,6 +2753,18 @@ page-kinds-title-dyad-rrp = Díada RRP: biela y corredera
 page-kinds-title-dyad-rpr = Díada RPR: corredera en la ranura de una palanca
 page-kinds-title-dyad-prp = Díada PRP: dos correderas en un perno
 page-kinds-title-dyad-rpp = Díada RPP: corredera en la ranura de otra
+page-kinds-title-gear-train = Tren de ruedas con rueda loca
+page-kinds-title-planetary = Tren planetario
+page-kinds-title-planetary-sun-fixed = Tren planetario con el sol fijo
+page-kinds-title-planetary-carrier-fixed = Tren planetario con el portador fijo
+page-kinds-title-differential = Diferencial con dos accionamientos
+page-kinds-title-reverted-train = Tren compuesto revertido
+page-kinds-title-sun-and-planet = Engranaje de sol y planeta
+page-kinds-title-rack-and-pinion = Piñón y cremallera
+page-kinds-title-geared-five-bar = Cinco eslabones con ruedas
+page-kinds-title-geneva = Cruz de Malta
+page-kinds-title-eccentric-cam = Leva excéntrica con rodillo
+page-kinds-title-flat-follower = Leva excéntrica con palanca plana
 page-kinds-note-dyad-prp = Como se dibuja en la pizarra. El perno C une las correderas 2 y 3: la 2 desliza sobre el eslabón 1, cuyo movimiento se conoce por entero; la 3, en una guía fija.
 page-kinds-note-dyad-rpp = Como se dibuja en la pizarra: un yugo escocés. La corredera 2, articulada en B a una manivela, desliza en el yugo 3, que desliza sobre el bastidor.
 page-kinds-note-dyad-rpr = Como se dibuja en la pizarra: «points» da cada coordenada, «known» el movimiento de los pernos exteriores B y D. El plano de aceleraciones tiene un término de Coriolis.
@@ -2751,6 +2782,18 @@ page-kinds-note-third-class = El eslabón ternario 3 cuelga de tres patas: 2 del
 page-kinds-note-toggle-press = La manivela 1 y la biela 2 estiran los eslabones 3 y 4 de la rodillera, que empujan el carro 5 hacia abajo: despacio y con fuerza cerca del final. C es un perno por tres eslabones.
 page-kinds-note-watt-1 = Un cuadrilátero A-B-C-D cuya biela 2 y cuyo balancín 3 llevan el segundo lazo C-E-G-F: dos díadas que se resuelven una tras otra.
 page-kinds-note-whitworth = La manivela 1 gira uniformemente; la corredera 2 en su perno hace girar del todo la palanca ranurada 3; la biela 4 mueve el carro 5.
+page-kinds-note-gear-train = La rueda 1 mueve la rueda 3 por medio de la rueda loca 2, que solo cambia el sentido.
+page-kinds-note-planetary = El brazo 1 acciona. El planeta 2 rueda en la corona fija y mueve el sol 3.
+page-kinds-note-planetary-sun-fixed = Una sobremarcha: el brazo 1 acciona, el planeta 2 rueda sobre el sol fijo y mueve la corona 3.
+page-kinds-note-planetary-carrier-fixed = El sol 1 acciona. El eje de la rueda 2 está quieto, y la corona 3 gira al revés.
+page-kinds-note-differential = El sol 3 y la corona 4 accionan; el planeta 2 rueda entre ellos y arrastra el brazo 1.
+page-kinds-note-reverted-train = El planeta 2 tiene dos dentados: uno rueda sobre el sol fijo, el otro mueve el sol 3. El brazo 1 acciona.
+page-kinds-note-sun-and-planet = James Watt, 1781: la rueda 2 está fija a la biela y rodea la rueda 4, que da dos vueltas por cada vuelta del brazo 1.
+page-kinds-note-rack-and-pinion = La manivela 1 y la biela 2 empujan un carro cuya rueda 4 rueda sobre una cremallera fija y mueve la cremallera 5 al doble de la velocidad del carro.
+page-kinds-note-geared-five-bar = Las manivelas 1 y 4 son ruedas que engranan: la segunda gira al doble de velocidad y al revés.
+page-kinds-note-geneva = Cuatro ranuras. `travel` dice dónde acaba una ranura: la cruz se mueve durante un cuarto de vuelta de la manivela y luego reposa.
+page-kinds-note-eccentric-cam = Un disco cuyo centro K está a 20 mm del eje; el eslabón 2, de K al centro C del rodillo, se mueve como el contacto.
+page-kinds-note-flat-follower = El disco toca una cara recta de la palanca 2: su centro K se mueve por una recta junto a esa cara, a la distancia del radio del disco.
 
 
 ## The workbench: editor

@@ -145,6 +145,7 @@ impl Wording {
             Sheet::Centers => Some(self.language.centers()),
             Sheet::Forces => Some(self.language.force_plan()),
             Sheet::Lever => Some(self.language.lever()),
+            Sheet::Speeds => Some(self.language.speeds()),
             Sheet::Scheme | Sheet::Velocity | Sheet::Acceleration => None,
         };
         let shown: Vec<&str> = panels.iter().filter_map(of_panel).collect();

@@ -151,6 +151,13 @@ lever_turn = Gira-se o plano de velocidades 90° no sentido horário: é uma ala
 lever_turn_for = Giram-se as velocidades 90° no sentido horário, enquanto {$drive} anda à taxa 1 e os outros acionamentos param: formam uma alavanca.
 lever_arm = {$force} atua na imagem do seu ponto: mede-se o braço.
 lever_effort = Os momentos em relação ao polo dão {$effort}: nenhuma reação tem momento.
+speeds_train = Traça-se a linha dos centros com centros e pontos primitivos na escala dos comprimentos; as velocidades marcam-se normais a ela.
+speeds_given = Marcam-se as velocidades de {$from} e {$to}: todas as velocidades de {$link} na linha dos centros terminam na reta pelas suas pontas.
+speeds_line = {$from} e {$to} têm velocidades já conhecidas: as de {$link} terminam na reta pelas suas pontas.
+speeds_pole = Escolhe-se um ponto o e uma base por baixo, à distância que torna redonda a escala das velocidades angulares.
+speeds_ray = A paralela por o à reta de {$link} corta {$rate} na base.
+speeds_none = não há diagrama de Kutzbach: não há duas rodas que engrenem
+speeds_left_out = o diagrama de Kutzbach é o da linha dos centros por {$line}; os centros das rodas em {$meshes} estão noutra reta
 
 # The figure.
 
@@ -163,6 +170,7 @@ acceleration_plan = Polígono de acelerações
 centers = Centros instantâneos
 force_plan = Plano de forças
 lever = Alavanca
+speeds = Diagrama de Kutzbach
 far_away = {$point}: a {$distance} de {$from}
 far_in_plan = até {$point}: {$distance}
 cut_at_edge = cortado na borda
@@ -210,12 +218,14 @@ named_acceleration_plan = polígono de acelerações
 named_centers = centros instantâneos
 named_force_plan = plano de forças
 named_lever = alavanca
+named_speeds = diagrama de Kutzbach
 described_scheme = o mecanismo em escala
 described_velocity_plan = seu polígono de velocidades
 described_acceleration_plan = seu polígono de acelerações
 described_centers = seus centros instantâneos
 described_force_plan = o seu plano de forças
 described_lever = a sua alavanca
+described_speeds = o seu diagrama de Kutzbach
 described_group = classe {$class}, elos {$links}
 higher = superior
 
@@ -1429,6 +1439,7 @@ editing-held_point = {$point} está fixado
 editing-held_length = {$point} se move em uma circunferência: {$length} está fixado
 editing-held_angle = {$point} se move em uma reta: o ângulo do elo {$link} está fixado
 editing-held_guide = {$point} se move em uma reta: a guia de {$slider}
+editing-held_rack = {$point} move-se através da sua guia: ao longo dela a cremalheira vai com a sua roda
 editing-held_nowhere = a junta não pode ir até ali
 editing-held_rounded = com a junta ali, os comprimentos arredondados não deixam às outras juntas um lugar perto do seu
 editing-held_try = puxe a junta para outro lugar
@@ -1442,6 +1453,7 @@ drawing-acceleration_plan = polígono de acelerações
 drawing-centers = a figura de centros instantâneos
 drawing-force_plan = plano de forças
 drawing-lever = alavanca
+drawing-speeds = diagrama de Kutzbach
 drawing-overflow = o {$panel} não cabe no seu painel com {$key} = {$given} e fica cortado ali; cabe com {$fitting}, ou em uma folha maior
 drawing-no_scale = nenhuma
 drawing-cost_of_list = as escalas deixam espaço para a lista de resultados: {$scales}
@@ -2091,6 +2103,7 @@ page-mechanism-open_file = Abrir…
 page-mechanism-groups_bars = Uma malha
 page-mechanism-groups_more = Seis elos
 page-mechanism-groups_drives = Vários acionamentos
+page-mechanism-groups_wheels = Rodas e cames
 page-mechanism-groups_class = Terceira e quarta classe
 page-mechanism-groups_drawn = Grupos como em um livro-texto
 page-mechanism-groups_paper = Do artigo
@@ -2700,6 +2713,12 @@ page-sheets-lever_panel = Alavanca
 page-sheets-lever_name = alavanca
 page-sheets-lever_title = Alavanca
 page-sheets-lever_from = Da alavanca
+page-sheets-speeds_short = Kutzbach
+page-sheets-speeds_scaled = Kutzbach
+page-sheets-speeds_panel = Diagrama de Kutzbach
+page-sheets-speeds_name = diagrama de Kutzbach
+page-sheets-speeds_title = Diagrama de Kutzbach
+page-sheets-speeds_from = Do diagrama de Kutzbach
 
 
 ## The workbench: refused
@@ -2736,6 +2755,18 @@ page-kinds-title-dyad-rrp = Díade RRP: biela e cursor em uma guia
 page-kinds-title-dyad-rpr = Díade RPR: bloco na ranhura de uma alavanca
 page-kinds-title-dyad-prp = Díade PRP: dois blocos em um pino
 page-kinds-title-dyad-rpp = Díade RPP: bloco na ranhura de um cursor
+page-kinds-title-gear-train = Trem de engrenagens com roda intermediária
+page-kinds-title-planetary = Trem planetário
+page-kinds-title-planetary-sun-fixed = Trem planetário com o sol fixo
+page-kinds-title-planetary-carrier-fixed = Trem planetário com o braço fixo
+page-kinds-title-differential = Diferencial com dois acionamentos
+page-kinds-title-reverted-train = Trem composto revertido
+page-kinds-title-sun-and-planet = Sol e planeta de Watt
+page-kinds-title-rack-and-pinion = Pinhão e cremalheira
+page-kinds-title-geared-five-bar = Cinco barras com engrenagens
+page-kinds-title-geneva = Cruz de Malta
+page-kinds-title-eccentric-cam = Came excêntrico com rolete
+page-kinds-title-flat-follower = Came excêntrico com alavanca plana
 page-kinds-note-dyad-prp = Como se desenha no quadro. O pino C une os blocos 2 e 3: o bloco 2 desliza sobre o elo 1, cujo movimento é todo conhecido; o bloco 3, em uma guia fixa.
 page-kinds-note-dyad-rpp = Como se desenha no quadro: um garfo escocês. O bloco 2, articulado em B a uma manivela, desliza no garfo 3, que desliza sobre a base.
 page-kinds-note-dyad-rpr = Como se desenha no quadro: "points" dá cada coordenada, "known" o movimento dos pinos externos B e D. O polígono de acelerações tem um termo de Coriolis.
@@ -2753,6 +2784,18 @@ page-kinds-note-third-class = O elo ternário 3 está preso a três pernas: 2 no
 page-kinds-note-toggle-press = A manivela 1 e a biela 2 esticam os elos 3 e 4 do joelho, que empurram o martelo 5 para baixo: devagar e com força perto do fim. C é um pino por três elos.
 page-kinds-note-watt-1 = Um mecanismo de quatro barras A-B-C-D cuja biela 2 e cujo balancim 3 levam a segunda malha C-E-G-F: duas díades, resolvidas uma depois da outra.
 page-kinds-note-whitworth = A manivela 1 gira uniformemente; o bloco 2 no seu pino faz a alavanca ranhurada 3 dar voltas completas; a biela 4 move o carro 5.
+page-kinds-note-gear-train = A roda 1 aciona a roda 3 pela roda intermediária 2, que só muda o sentido.
+page-kinds-note-planetary = O braço 1 aciona. O planeta 2 rola na coroa fixa e move o sol 3.
+page-kinds-note-planetary-sun-fixed = Uma sobremarcha: o braço 1 aciona, o planeta 2 rola sobre o sol fixo e move a coroa 3.
+page-kinds-note-planetary-carrier-fixed = O sol 1 aciona. O eixo da roda 2 está parado, e a coroa 3 gira ao contrário.
+page-kinds-note-differential = O sol 3 e a coroa 4 acionam; o planeta 2 rola entre eles e arrasta o braço 1.
+page-kinds-note-reverted-train = O planeta 2 tem dois dentados: um rola sobre o sol fixo, o outro move o sol 3. O braço 1 aciona.
+page-kinds-note-sun-and-planet = James Watt, 1781: a roda 2 é fixa à biela e contorna a roda 4, que dá duas voltas por volta do braço 1.
+page-kinds-note-rack-and-pinion = A manivela 1 e a biela 2 empurram um carro cuja roda 4 rola sobre uma cremalheira fixa e move a cremalheira 5 com o dobro da velocidade do carro.
+page-kinds-note-geared-five-bar = As manivelas 1 e 4 são rodas engrenadas: a segunda gira com o dobro da velocidade e ao contrário.
+page-kinds-note-geneva = Quatro ranhuras. `travel` diz onde uma ranhura termina: a cruz move-se durante um quarto de volta da manivela e depois repousa.
+page-kinds-note-eccentric-cam = Um disco cujo centro K está a 20 mm do eixo; o elo 2, de K ao centro C do rolete, move-se como o contato.
+page-kinds-note-flat-follower = O disco toca uma face reta da alavanca 2: seu centro K move-se numa reta ao lado dessa face, à distância do raio do disco.
 
 
 ## The workbench: editor

@@ -191,6 +191,15 @@ sentences! {
     lever_turn_for(drive);
     lever_arm(force);
     lever_effort(effort);
+    speeds_train;
+    speeds_given(link, from, to);
+    speeds_line(link, from, to);
+    speeds_pole;
+    speeds_ray(link, rate);
+    /// Of a scene without meshes.
+    speeds_none;
+    /// Of meshes whose centres lie on another line.
+    speeds_left_out(meshes, line);
 
     // The figure.
     /// Title of a figure whose scene has none.
@@ -202,6 +211,7 @@ sentences! {
     centers;
     force_plan;
     lever;
+    speeds;
     /// A special point that lies off the sheet.
     far_away(point, distance, from);
     /// At the line to an image that lies off the panel.
@@ -258,12 +268,14 @@ sentences! {
     named_centers;
     named_force_plan;
     named_lever;
+    named_speeds;
     described_scheme;
     described_velocity_plan;
     described_acceleration_plan;
     described_centers;
     described_force_plan;
     described_lever;
+    described_speeds;
     described_group(class, links);
     /// The class of a group above class IV.
     higher;
@@ -524,6 +536,7 @@ impl Language {
             Sheet::Centers => [self.centers(), self.described_centers()],
             Sheet::Forces => [self.force_plan(), self.described_force_plan()],
             Sheet::Lever => [self.lever(), self.described_lever()],
+            Sheet::Speeds => [self.speeds(), self.described_speeds()],
         }
     }
 
@@ -564,6 +577,7 @@ fn named_sheet(sheet: Sheet) -> Key {
         Sheet::Centers => Key::named_centers,
         Sheet::Forces => Key::named_force_plan,
         Sheet::Lever => Key::named_lever,
+        Sheet::Speeds => Key::named_speeds,
     }
 }
 

@@ -165,7 +165,9 @@ fn dyads_triads_and_fourth_class_groups_on_a_crank() {
 /// cranks anywhere.
 #[test]
 fn groups_on_groups_and_driven_sliders() {
-    let mut scenes = files::templates();
+    // Wheels within loops are held to their own truth: gears.rs, racks.rs.
+    let has_loops = |(name, _): &(String, String)| !["sun-and-planet", "rack-and-pinion"].contains(&name.as_str());
+    let mut scenes: Vec<_> = files::templates().into_iter().filter(has_loops).collect();
     scenes.extend(files::scenes("tests/driven_sliders"));
     let seen = cases(|number, dice, seen| {
         let (name, text) = &scenes[number as usize % scenes.len()];

@@ -104,6 +104,7 @@ mod honest_checks;
 mod inside;
 mod invariants;
 mod kennedy;
+mod kutzbach;
 mod lectured;
 mod legible;
 mod levers;

@@ -90,7 +90,9 @@ fn nothing_stands_where_markers_are() {
 
 #[test]
 fn exercises_have_sheets_for_their_plans() {
-    for (name, text) in scenes().into_iter().step_by(KINDS.now()) {
+    // Polygons of forces have sheets of their own: force_boards.rs, polygons.rs.
+    let of_plans = scenes().into_iter().filter(|(_, text)| !text.contains("\"forces\""));
+    for (name, text) in of_plans.step_by(KINDS.now()) {
         let base = solved(&text).expect("a good scene");
         let exercise = Exercises::new(&base, None, 5);
         let exercise = exercise.expect("it can vary").next().expect("one is found");

@@ -24,7 +24,7 @@ const ORDER_WITHIN: f64 = 0.2;
 const WITH_TRUTH: usize = 12;
 
 /// Kinds that move from lengths.
-const MOVED: usize = 19;
+const MOVED: usize = 24;
 
 /// The true numbers of a template, where there are some.
 fn truth(name: &str) -> Option<Value> {

@@ -43,7 +43,7 @@ fn is_refusal(refused: &str) -> bool {
 fn files_have_the_bytes_of_the_program() {
     let mut engine = Engine::new();
     let all = starting_scenes();
-    assert_eq!(all.len(), 33);
+    assert_eq!(all.len(), 31);
     for (name, text) in all.iter().step_by(KINDS.now()) {
         for (format, of, arguments) in [
             ("svg", json!("figure"), vec!["draw", "-", "-o", "-", "--format", "svg"]),

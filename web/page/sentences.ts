@@ -1065,6 +1065,7 @@ export const mechanism = {
     "groups_bars": "One loop",
     "groups_more": "Six links",
     "groups_drives": "Several drives",
+    "groups_wheels": "Wheels and cams",
     "groups_class": "Third and fourth class",
     "groups_drawn": "Groups as a textbook draws them",
     "groups_paper": "From the paper"
@@ -1249,6 +1250,7 @@ export const mechanism = {
     "groups_bars": "Un lazo",
     "groups_more": "Seis eslabones",
     "groups_drives": "Varios accionamientos",
+    "groups_wheels": "Ruedas y levas",
     "groups_class": "Tercera y cuarta clase",
     "groups_drawn": "Grupos como en un libro",
     "groups_paper": "Del artículo"
@@ -1433,6 +1435,7 @@ export const mechanism = {
     "groups_bars": "Eine Schleife",
     "groups_more": "Sechs Glieder",
     "groups_drives": "Mehrere Antriebe",
+    "groups_wheels": "Räder und Kurven",
     "groups_class": "Dritte und vierte Klasse",
     "groups_drawn": "Gruppen wie im Lehrbuch",
     "groups_paper": "Aus dem Artikel"
@@ -1617,6 +1620,7 @@ export const mechanism = {
     "groups_bars": "Uma malha",
     "groups_more": "Seis elos",
     "groups_drives": "Vários acionamentos",
+    "groups_wheels": "Rodas e cames",
     "groups_class": "Terceira e quarta classe",
     "groups_drawn": "Grupos como em um livro-texto",
     "groups_paper": "Do artigo"
@@ -3869,7 +3873,13 @@ export const sheets = {
     "lever_panel": "Lever",
     "lever_name": "lever",
     "lever_title": "Lever",
-    "lever_from": "From the lever"
+    "lever_from": "From the lever",
+    "speeds_short": "Speeds",
+    "speeds_scaled": "Speeds",
+    "speeds_panel": "Speed diagram",
+    "speeds_name": "speed diagram",
+    "speeds_title": "Speed diagram",
+    "speeds_from": "From the speed diagram"
   },
   "es": {
     "scheme_short": "Esquema",
@@ -3907,7 +3917,13 @@ export const sheets = {
     "lever_panel": "Palanca",
     "lever_name": "palanca",
     "lever_title": "Palanca",
-    "lever_from": "De la palanca"
+    "lever_from": "De la palanca",
+    "speeds_short": "Kutzbach",
+    "speeds_scaled": "Kutzbach",
+    "speeds_panel": "Diagrama de Kutzbach",
+    "speeds_name": "diagrama de Kutzbach",
+    "speeds_title": "Diagrama de Kutzbach",
+    "speeds_from": "Del diagrama de Kutzbach"
   },
   "de": {
     "scheme_short": "Lageplan",
@@ -3945,7 +3961,13 @@ export const sheets = {
     "lever_panel": "Hebel",
     "lever_name": "Hebel",
     "lever_title": "Hebel",
-    "lever_from": "Aus dem Hebel"
+    "lever_from": "Aus dem Hebel",
+    "speeds_short": "Kutzbach",
+    "speeds_scaled": "Kutzbachplan",
+    "speeds_panel": "Kutzbachplan",
+    "speeds_name": "Kutzbachplan",
+    "speeds_title": "Kutzbachplan",
+    "speeds_from": "Aus dem Kutzbachplan"
   },
   "pt": {
     "scheme_short": "Esquema",
@@ -3983,7 +4005,13 @@ export const sheets = {
     "lever_panel": "Alavanca",
     "lever_name": "alavanca",
     "lever_title": "Alavanca",
-    "lever_from": "Da alavanca"
+    "lever_from": "Da alavanca",
+    "speeds_short": "Kutzbach",
+    "speeds_scaled": "Kutzbach",
+    "speeds_panel": "Diagrama de Kutzbach",
+    "speeds_name": "diagrama de Kutzbach",
+    "speeds_title": "Diagrama de Kutzbach",
+    "speeds_from": "Do diagrama de Kutzbach"
   }
 };
 
@@ -4051,6 +4079,18 @@ export const kinds = {
     "title-dyad-rpr": "Díada RPR: corredera en la ranura de una palanca",
     "title-dyad-prp": "Díada PRP: dos correderas en un perno",
     "title-dyad-rpp": "Díada RPP: corredera en la ranura de otra",
+    "title-gear-train": "Tren de ruedas con rueda loca",
+    "title-planetary": "Tren planetario",
+    "title-planetary-sun-fixed": "Tren planetario con el sol fijo",
+    "title-planetary-carrier-fixed": "Tren planetario con el portador fijo",
+    "title-differential": "Diferencial con dos accionamientos",
+    "title-reverted-train": "Tren compuesto revertido",
+    "title-sun-and-planet": "Engranaje de sol y planeta",
+    "title-rack-and-pinion": "Piñón y cremallera",
+    "title-geared-five-bar": "Cinco eslabones con ruedas",
+    "title-geneva": "Cruz de Malta",
+    "title-eccentric-cam": "Leva excéntrica con rodillo",
+    "title-flat-follower": "Leva excéntrica con palanca plana",
     "note-dyad-prp": "Como se dibuja en la pizarra. El perno C une las correderas 2 y 3: la 2 desliza sobre el eslabón 1, cuyo movimiento se conoce por entero; la 3, en una guía fija.",
     "note-dyad-rpp": "Como se dibuja en la pizarra: un yugo escocés. La corredera 2, articulada en B a una manivela, desliza en el yugo 3, que desliza sobre el bastidor.",
     "note-dyad-rpr": "Como se dibuja en la pizarra: «points» da cada coordenada, «known» el movimiento de los pernos exteriores B y D. El plano de aceleraciones tiene un término de Coriolis.",
@@ -4067,7 +4107,19 @@ export const kinds = {
     "note-third-class": "El eslabón ternario 3 cuelga de tres patas: 2 del perno de la manivela, 4 y 5 del bastidor. Ninguna díada se puede resolver primero: los planos necesitan un punto especial (de Assur) del eslabón 3.",
     "note-toggle-press": "La manivela 1 y la biela 2 estiran los eslabones 3 y 4 de la rodillera, que empujan el carro 5 hacia abajo: despacio y con fuerza cerca del final. C es un perno por tres eslabones.",
     "note-watt-1": "Un cuadrilátero A-B-C-D cuya biela 2 y cuyo balancín 3 llevan el segundo lazo C-E-G-F: dos díadas que se resuelven una tras otra.",
-    "note-whitworth": "La manivela 1 gira uniformemente; la corredera 2 en su perno hace girar del todo la palanca ranurada 3; la biela 4 mueve el carro 5."
+    "note-whitworth": "La manivela 1 gira uniformemente; la corredera 2 en su perno hace girar del todo la palanca ranurada 3; la biela 4 mueve el carro 5.",
+    "note-gear-train": "La rueda 1 mueve la rueda 3 por medio de la rueda loca 2, que solo cambia el sentido.",
+    "note-planetary": "El brazo 1 acciona. El planeta 2 rueda en la corona fija y mueve el sol 3.",
+    "note-planetary-sun-fixed": "Una sobremarcha: el brazo 1 acciona, el planeta 2 rueda sobre el sol fijo y mueve la corona 3.",
+    "note-planetary-carrier-fixed": "El sol 1 acciona. El eje de la rueda 2 está quieto, y la corona 3 gira al revés.",
+    "note-differential": "El sol 3 y la corona 4 accionan; el planeta 2 rueda entre ellos y arrastra el brazo 1.",
+    "note-reverted-train": "El planeta 2 tiene dos dentados: uno rueda sobre el sol fijo, el otro mueve el sol 3. El brazo 1 acciona.",
+    "note-sun-and-planet": "James Watt, 1781: la rueda 2 está fija a la biela y rodea la rueda 4, que da dos vueltas por cada vuelta del brazo 1.",
+    "note-rack-and-pinion": "La manivela 1 y la biela 2 empujan un carro cuya rueda 4 rueda sobre una cremallera fija y mueve la cremallera 5 al doble de la velocidad del carro.",
+    "note-geared-five-bar": "Las manivelas 1 y 4 son ruedas que engranan: la segunda gira al doble de velocidad y al revés.",
+    "note-geneva": "Cuatro ranuras. `travel` dice dónde acaba una ranura: la cruz se mueve durante un cuarto de vuelta de la manivela y luego reposa.",
+    "note-eccentric-cam": "Un disco cuyo centro K está a 20 mm del eje; el eslabón 2, de K al centro C del rodillo, se mueve como el contacto.",
+    "note-flat-follower": "El disco toca una cara recta de la palanca 2: su centro K se mueve por una recta junto a esa cara, a la distancia del radio del disco."
   },
   "de": {
     "title-four-bar": "Viergelenk (Kurbelschwinge)",
@@ -4089,6 +4141,18 @@ export const kinds = {
     "title-dyad-rpr": "Zweischlag RPR: Gleitstein im Schlitz eines Hebels",
     "title-dyad-prp": "Zweischlag PRP: zwei Gleitsteine an einem Bolzen",
     "title-dyad-rpp": "Zweischlag RPP: Gleitstein im Schlitz eines Schiebers",
+    "title-gear-train": "Rädergetriebe mit Zwischenrad",
+    "title-planetary": "Planetengetriebe",
+    "title-planetary-sun-fixed": "Planetengetriebe mit festem Sonnenrad",
+    "title-planetary-carrier-fixed": "Planetengetriebe mit festem Steg",
+    "title-differential": "Differential mit zwei Antrieben",
+    "title-reverted-train": "Rückkehrendes Getriebe",
+    "title-sun-and-planet": "Sonnen- und Planetenrad von Watt",
+    "title-rack-and-pinion": "Zahnstange und Ritzel",
+    "title-geared-five-bar": "Räderkoppelgetriebe mit fünf Gliedern",
+    "title-geneva": "Malteserrad",
+    "title-eccentric-cam": "Exzenter mit Rolle",
+    "title-flat-follower": "Exzenter mit ebenem Hebel",
     "note-dyad-prp": "Wie an der Tafel gezeichnet. Bolzen C verbindet die Gleitsteine 2 und 3: Gleitstein 2 gleitet auf Glied 1, dessen ganze Bewegung bekannt ist, Gleitstein 3 auf einer festen Führung.",
     "note-dyad-rpp": "Wie an der Tafel gezeichnet: eine Kreuzschubkurbel. Gleitstein 2, in B an einer Kurbel gelagert, gleitet in der Kreuzschleife 3, die am Gestell gleitet.",
     "note-dyad-rpr": "Wie an der Tafel gezeichnet: „points“ gibt alle Koordinaten an, „known“ die Bewegung der äußeren Gelenke B und D. Der Beschleunigungsplan hat einen Coriolisanteil.",
@@ -4105,7 +4169,19 @@ export const kinds = {
     "note-third-class": "Das ternäre Glied 3 hängt an drei Lenkern: 2 am Kurbelzapfen, 4 und 5 am Gestell. Kein Zweischlag lässt sich zuerst lösen: Die Pläne brauchen einen Sonderpunkt (Assurschen Punkt) von Glied 3.",
     "note-toggle-press": "Kurbel 1 und Koppel 2 strecken die Kniehebel 3 und 4, die den Stößel 5 nach unten drücken: langsam und kräftig nahe dem Ende. C ist ein Bolzen durch drei Glieder.",
     "note-watt-1": "Ein Viergelenk A-B-C-D, dessen Koppel 2 und Schwinge 3 die zweite Schleife C-E-G-F tragen: zwei Zweischläge, nacheinander gelöst.",
-    "note-whitworth": "Kurbel 1 dreht sich gleichförmig; Gleitstein 2 an ihrem Bolzen treibt die Kulisse 3 ganz herum; Koppel 4 treibt den Stößel 5 an."
+    "note-whitworth": "Kurbel 1 dreht sich gleichförmig; Gleitstein 2 an ihrem Bolzen treibt die Kulisse 3 ganz herum; Koppel 4 treibt den Stößel 5 an.",
+    "note-gear-train": "Rad 1 treibt Rad 3 über das Zwischenrad 2, das nur den Drehsinn ändert.",
+    "note-planetary": "Steg 1 treibt an. Planet 2 rollt im festen Hohlrad und treibt Sonnenrad 3.",
+    "note-planetary-sun-fixed": "Ein Schnellgang: Steg 1 treibt an, Planet 2 rollt auf dem festen Sonnenrad und nimmt Hohlrad 3 mit.",
+    "note-planetary-carrier-fixed": "Sonnenrad 1 treibt an. Der Zapfen von Rad 2 steht still, und Hohlrad 3 dreht sich anders herum.",
+    "note-differential": "Sonnenrad 3 und Hohlrad 4 treiben an; Planet 2 rollt zwischen ihnen und nimmt Steg 1 mit.",
+    "note-reverted-train": "Planet 2 hat zwei Verzahnungen: die eine rollt auf dem festen Sonnenrad, die andere treibt Sonnenrad 3. Steg 1 treibt an.",
+    "note-sun-and-planet": "James Watt, 1781: Rad 2 sitzt fest an der Stange und umläuft Rad 4, das sich bei jeder Umdrehung von Steg 1 zweimal dreht.",
+    "note-rack-and-pinion": "Kurbel 1 und Koppel 2 schieben einen Wagen, dessen Rad 4 auf einer festen Zahnstange rollt und Zahnstange 5 doppelt so schnell wie den Wagen treibt.",
+    "note-geared-five-bar": "Die Kurbeln 1 und 4 sind Räder im Eingriff: die zweite dreht sich doppelt so schnell und anders herum.",
+    "note-geneva": "Vier Schlitze. `travel` sagt, wo ein Schlitz endet: das Rad bewegt sich eine Viertelumdrehung der Kurbel lang und ruht dann.",
+    "note-eccentric-cam": "Eine Scheibe, deren Mitte K 20 mm von der Welle liegt; Glied 2 von K zur Rollenmitte C bewegt sich wie die Berührung.",
+    "note-flat-follower": "Die Scheibe berührt eine gerade Fläche von Hebel 2: ihre Mitte K bewegt sich auf einer Geraden neben dieser Fläche, im Abstand des Halbmessers."
   },
   "pt": {
     "title-four-bar": "Mecanismo de quatro barras",
@@ -4127,6 +4203,18 @@ export const kinds = {
     "title-dyad-rpr": "Díade RPR: bloco na ranhura de uma alavanca",
     "title-dyad-prp": "Díade PRP: dois blocos em um pino",
     "title-dyad-rpp": "Díade RPP: bloco na ranhura de um cursor",
+    "title-gear-train": "Trem de engrenagens com roda intermediária",
+    "title-planetary": "Trem planetário",
+    "title-planetary-sun-fixed": "Trem planetário com o sol fixo",
+    "title-planetary-carrier-fixed": "Trem planetário com o braço fixo",
+    "title-differential": "Diferencial com dois acionamentos",
+    "title-reverted-train": "Trem composto revertido",
+    "title-sun-and-planet": "Sol e planeta de Watt",
+    "title-rack-and-pinion": "Pinhão e cremalheira",
+    "title-geared-five-bar": "Cinco barras com engrenagens",
+    "title-geneva": "Cruz de Malta",
+    "title-eccentric-cam": "Came excêntrico com rolete",
+    "title-flat-follower": "Came excêntrico com alavanca plana",
     "note-dyad-prp": "Como se desenha no quadro. O pino C une os blocos 2 e 3: o bloco 2 desliza sobre o elo 1, cujo movimento é todo conhecido; o bloco 3, em uma guia fixa.",
     "note-dyad-rpp": "Como se desenha no quadro: um garfo escocês. O bloco 2, articulado em B a uma manivela, desliza no garfo 3, que desliza sobre a base.",
     "note-dyad-rpr": "Como se desenha no quadro: \"points\" dá cada coordenada, \"known\" o movimento dos pinos externos B e D. O polígono de acelerações tem um termo de Coriolis.",
@@ -4143,7 +4231,19 @@ export const kinds = {
     "note-third-class": "O elo ternário 3 está preso a três pernas: 2 no pino da manivela, 4 e 5 na base. Nenhuma díade pode ser resolvida antes: os polígonos precisam de um ponto especial (de Assur) do elo 3.",
     "note-toggle-press": "A manivela 1 e a biela 2 esticam os elos 3 e 4 do joelho, que empurram o martelo 5 para baixo: devagar e com força perto do fim. C é um pino por três elos.",
     "note-watt-1": "Um mecanismo de quatro barras A-B-C-D cuja biela 2 e cujo balancim 3 levam a segunda malha C-E-G-F: duas díades, resolvidas uma depois da outra.",
-    "note-whitworth": "A manivela 1 gira uniformemente; o bloco 2 no seu pino faz a alavanca ranhurada 3 dar voltas completas; a biela 4 move o carro 5."
+    "note-whitworth": "A manivela 1 gira uniformemente; o bloco 2 no seu pino faz a alavanca ranhurada 3 dar voltas completas; a biela 4 move o carro 5.",
+    "note-gear-train": "A roda 1 aciona a roda 3 pela roda intermediária 2, que só muda o sentido.",
+    "note-planetary": "O braço 1 aciona. O planeta 2 rola na coroa fixa e move o sol 3.",
+    "note-planetary-sun-fixed": "Uma sobremarcha: o braço 1 aciona, o planeta 2 rola sobre o sol fixo e move a coroa 3.",
+    "note-planetary-carrier-fixed": "O sol 1 aciona. O eixo da roda 2 está parado, e a coroa 3 gira ao contrário.",
+    "note-differential": "O sol 3 e a coroa 4 acionam; o planeta 2 rola entre eles e arrasta o braço 1.",
+    "note-reverted-train": "O planeta 2 tem dois dentados: um rola sobre o sol fixo, o outro move o sol 3. O braço 1 aciona.",
+    "note-sun-and-planet": "James Watt, 1781: a roda 2 é fixa à biela e contorna a roda 4, que dá duas voltas por volta do braço 1.",
+    "note-rack-and-pinion": "A manivela 1 e a biela 2 empurram um carro cuja roda 4 rola sobre uma cremalheira fixa e move a cremalheira 5 com o dobro da velocidade do carro.",
+    "note-geared-five-bar": "As manivelas 1 e 4 são rodas engrenadas: a segunda gira com o dobro da velocidade e ao contrário.",
+    "note-geneva": "Quatro ranhuras. `travel` diz onde uma ranhura termina: a cruz move-se durante um quarto de volta da manivela e depois repousa.",
+    "note-eccentric-cam": "Um disco cujo centro K está a 20 mm do eixo; o elo 2, de K ao centro C do rolete, move-se como o contato.",
+    "note-flat-follower": "O disco toca uma face reta da alavanca 2: seu centro K move-se numa reta ao lado dessa face, à distância do raio do disco."
   }
 };
 

@@ -1,9 +1,9 @@
 import { XzReadableStream } from "xz-decompress";
-import { bytesOf } from "./base116.mjs";
+import { bytesOf } from "./base85.mjs";
 
 /** The text of a packed element of the page. */
 function textOf(id: string): string {
-  return document.getElementById(id)?.textContent ?? "";
+  return document.getElementById(id)?.textContent?.trim() ?? "";
 }
 
 /**

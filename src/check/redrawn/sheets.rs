@@ -303,7 +303,7 @@ impl<'a> Sheets<'a> {
     /// A place of a sheet in the panel's coordinates.
     fn on_figure(&self, sheet: Sheet, at: Vector) -> Point {
         match sheet {
-            Sheet::Scheme | Sheet::Centers => self.own.construction.origin + at,
+            Sheet::Scheme | Sheet::Centers | Sheet::Speeds => self.own.construction.origin + at,
             Sheet::Velocity | Sheet::Acceleration | Sheet::Forces | Sheet::Lever => Point::from(at),
         }
     }

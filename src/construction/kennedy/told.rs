@@ -260,7 +260,7 @@ impl Teller<'_> {
     #[must_use]
     pub fn value_of_step(&self, action: &Action) -> Option<(f64, QuantityKind)> {
         let found = self.value_of_centers(action).or_else(|| self.value_of_forces(action));
-        found.or_else(|| self.value_of_lever(action))
+        found.or_else(|| self.value_of_lever(action)).or_else(|| self.value_of_speeds(action))
     }
 
     /// The number that such a step finds, and its kind.

@@ -14,6 +14,7 @@ mod values;
 mod wheels;
 
 pub(super) use sliders::{BLOCK, above};
+pub(super) use wheels::hatch_rim;
 
 use super::canvas::Canvas;
 use super::context::SheetContext;

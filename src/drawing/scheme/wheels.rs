@@ -79,17 +79,20 @@ impl SchemeOnPaper<'_> {
         let tangent = Vec2::new(-along.y, along.x) * TOUCH;
         canvas.draw(Pen::Guide, Shape::Line(touch - tangent, touch + tangent));
         for (index, _) in joint.bodies.iter().enumerate().filter(|(_, body)| **body == GROUND) {
-            let radius = (touch - centers[index]).hypot();
-            // The teeth of a ring point inwards: it is hatched outside, any other wheel inside, beside where the other touches it.
-            let outwards = if pitch.teeth[index] < 0 { HATCH } else { -HATCH };
-            let middle = (touch - centers[index]).atan2();
-            let step = (APART / radius).min(TAU / f64::from(4 * STROKES));
-            for stroke in -STROKES..=STROKES {
-                let (from, to) = (middle + f64::from(stroke) * step, middle + (f64::from(stroke) + 0.7) * step);
-                let at =
-                    |angle: f64, radius: f64| centers[index] + Vec2::new(libm::cos(angle), libm::sin(angle)) * radius;
-                canvas.draw(Pen::Hatch, Shape::Line(at(from, radius), at(to, radius + outwards)));
-            }
+            hatch_rim(canvas, [centers[index], touch], pitch.teeth[index] < 0);
         }
+    }
+}
+
+/// The hatching of a fixed wheel beside where another touches it. The teeth of a ring point inwards: it is hatched outside, any other wheel inside.
+pub(in crate::drawing) fn hatch_rim(canvas: &mut Canvas<'_>, [center, touch]: [Point; 2], is_ring: bool) {
+    let radius = (touch - center).hypot();
+    let outwards = if is_ring { HATCH } else { -HATCH };
+    let middle = (touch - center).atan2();
+    let step = (APART / radius).min(TAU / f64::from(4 * STROKES));
+    for stroke in -STROKES..=STROKES {
+        let (from, to) = (middle + f64::from(stroke) * step, middle + (f64::from(stroke) + 0.7) * step);
+        let at = |angle: f64, radius: f64| center + Vec2::new(libm::cos(angle), libm::sin(angle)) * radius;
+        canvas.draw(Pen::Hatch, Shape::Line(at(from, radius), at(to, radius + outwards)));
     }
 }

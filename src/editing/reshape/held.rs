@@ -8,7 +8,7 @@ use crate::geometry::{Point, Turn, Vector, cross, quarter_turn, unit};
 use crate::mechanism::{BodyId, PointId, Role, SliderId};
 use crate::message::Message;
 use crate::position::Pose;
-use crate::scene::{Along, At, Contact, Equivalent, GivenBy, On, Shape, Slider, joined, pair};
+use crate::scene::{Along, At, Contact, Equivalent, GivenBy, On, RackOf, Shape, Slider, joined, pair};
 
 /// Largest distance of a drawn block from its guide, in parts of the distance of the guide's points, that counts as none.
 const ON_LINE: f64 = 1e-4;
@@ -96,6 +96,11 @@ fn guided(solved: &Solved, point: PointId, id: SliderId, slider: &Slider) -> Opt
         }
     };
     let along: Vector = *solved.pose.guides.get(id.0)?;
+    let is_rack = |rack: &RackOf| rack.sliders.last() == Some(&id.0);
+    if slides && !is_held && solved.scene.gears.iter().filter_map(|gear| gear.rack.as_ref()).any(is_rack) {
+        // Its wheel says where along the guide it is.
+        return Some((Rule::Line(quarter_turn(along)), says::held_rack(name)));
+    }
     is_held.then(|| (Rule::Line(along), says::held_guide(name, solved.mechanism.slider_name(id))))
 }
 

@@ -43,9 +43,15 @@ fn transformed(text: &str, factor: f64, by: [f64; 2]) -> String {
     if scene["contacts"].is_null() {
         scene.as_object_mut().expect("an object").remove("contacts");
     }
+    for key in ["gears", "friction"] {
+        let wheels = scene.get_mut(key).and_then(Value::as_array_mut);
+        wheels.into_iter().flatten().filter_map(|own| own.get_mut("radius")).for_each(scale);
+    }
     let sliders = scene.get_mut("sliders").and_then(Value::as_array_mut);
     for slider in sliders.into_iter().flatten() {
         let on_ground = slider["on"] == "ground";
+        let ends = slider.get_mut("travel").and_then(Value::as_array_mut);
+        ends.into_iter().flatten().for_each(scale);
         if let Some(through) = slider.get_mut("through") {
             place(through, on_ground);
         }

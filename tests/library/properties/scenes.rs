@@ -38,7 +38,8 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
 /// A template whose numbers are varied. Simpler is nearer to the template.
 pub fn varied() -> impl Strategy<Value = Scene> {
     static TEMPLATES: LazyLock<Vec<Value>> = LazyLock::new(|| {
-        let texts = templates().into_iter();
+        // Where a rack stands when its wheel stands at 0 is held to its own truth: racks.rs.
+        let texts = templates().into_iter().filter(|(_, text)| !text.contains("\"rack\""));
         let read = |(_, text): (_, String)| bare(&serde_json::from_str(&text).expect("JSON"));
         texts.map(read).collect()
     });

@@ -14,6 +14,7 @@ export interface Drawing {
   readonly mu_c?: number;
   readonly mu_f?: number;
   readonly mu_h?: number;
+  readonly mu_k?: number;
   /** What the hand is helped with. */
   readonly snap?: string;
   /** How many hints were opened. */

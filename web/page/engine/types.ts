@@ -3,7 +3,7 @@
 /**
  * A part of the figure.
  */
-export type Panel = "scheme" | "velocity" | "acceleration" | "centers" | "forces" | "lever";
+export type Panel = "scheme" | "velocity" | "acceleration" | "centers" | "forces" | "lever" | "speeds";
 /**
  * A kind of thing that has quantities.
  */
@@ -306,7 +306,7 @@ export type SceneNearValue = SceneVector | number;
 /**
  * A part of the figure.
  */
-export type ScenePanel = "scheme" | "velocity" | "acceleration" | "centers" | "forces" | "lever";
+export type ScenePanel = "scheme" | "velocity" | "acceleration" | "centers" | "forces" | "lever" | "speeds";
 /**
  * The plans for which scales are chosen that the scene does not give.
  */
@@ -2759,6 +2759,10 @@ export interface SceneFigure {
    */
   mu_h?: number;
   /**
+   * Scale of the speed diagram: units of length per millimetre of paper.
+   */
+  mu_k?: number;
+  /**
    * For which plans scales are chosen that are not given; left out: "position".
    */
   scales?: SceneScalesFor;
@@ -2786,6 +2790,10 @@ export interface SceneFigure {
    * Whether it is a work sheet: with a table of all measured lengths and a ruler to test the printer; left out: false.
    */
   worksheet?: boolean;
+  /**
+   * Whether Willis' table of the trains of wheels stands beside the panels; not on a work sheet. Left out: false.
+   */
+  willis?: boolean;
   /**
    * How lines and letters look; left out: "paper".
    */
@@ -2933,6 +2941,14 @@ export const SHEETS = [
   {
     "key": "lever",
     "scale": "mu_h",
+    "isPlan": false,
+    "hasPlaces": false,
+    "isUsual": false,
+    "vector": ""
+  },
+  {
+    "key": "speeds",
+    "scale": "mu_k",
     "isPlan": false,
     "hasPlaces": false,
     "isUsual": false,

@@ -161,10 +161,10 @@ export function unitsOf(scene: Draft): Units {
 }
 
 /** The sheets that a figure has only where it asks for them. */
-export const LATER: readonly Sheet[] = ["centers", "forces", "lever"];
+export const LATER: readonly Sheet[] = ["centers", "forces", "lever", "speeds"];
 
 /** The unit of what a sheet shows. */
 export function unitOn(units: Units, sheet: Sheet): string {
   if (sheet === "lever") return units.velocity;
-  return sheet === "scheme" || sheet === "centers" ? units.length : units[sheet];
+  return sheet === "scheme" || sheet === "centers" || sheet === "speeds" ? units.length : units[sheet];
 }

@@ -1,4 +1,4 @@
 /** Bytes as letters. */
-export function base116(bytes: Uint8Array): string;
+export function base85(bytes: Uint8Array): string;
 /** Letters as bytes. */
 export function bytesOf(text: string): Uint8Array<ArrayBuffer>;
