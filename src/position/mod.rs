@@ -82,11 +82,12 @@ impl Pose {
         self.points[id.0]
     }
 
-    /// Whether the points are in the same places, apart from rounding.
+    /// Whether the points are in the same places and the guides in the same directions, apart from rounding: two modes of a slotted wheel may have the same points.
     #[must_use]
     pub fn is_same_as(&self, other: &Pose) -> bool {
         let size = span(self.points.iter().copied());
-        self.points.iter().zip(&other.points).all(|(a, b)| (a - b).norm() <= SAME * size)
+        let are_there = self.points.iter().zip(&other.points).all(|(a, b)| (a - b).norm() <= SAME * size);
+        are_there && self.guides.iter().zip(&other.guides).all(|(a, b)| (a - b).norm() <= SAME)
     }
 
     /// The vector from one point to another.

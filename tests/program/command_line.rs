@@ -576,7 +576,7 @@ fn new_writes_every_kind_it_lists_and_nothing_over_a_file() {
     let listed = new(&[]);
     assert_eq!(new(&["--list"]).stdout, listed.stdout);
     let listed = String::from_utf8(listed.stdout).expect("UTF-8");
-    assert_eq!(listed.lines().count(), 26);
+    assert_eq!(listed.lines().count(), 31);
     assert!(listed.contains("four-bar         Four-bar linkage\n"), "{listed}");
     for line in listed.lines() {
         let (kind, title) = line.split_once(' ').expect("a kind and its title");

@@ -24,7 +24,7 @@ fn kinds() -> Vec<(String, String)> {
     for name in ["figure-1", "figure-2"] {
         kinds.push((name.into(), files::read(&format!("examples/{name}.json"))));
     }
-    assert_eq!(kinds.len(), 26);
+    assert_eq!(kinds.len(), 31);
     kinds
 }
 
