@@ -49,6 +49,8 @@ fn said(sheets: &[Drawing], id: &str) -> String {
 
 /// A number as it stands on paper, and the half of its last digit.
 fn read(written: &str) -> (f64, f64) {
+    // Large numbers have their digits in groups.
+    let written = &written.replace(char::is_whitespace, "");
     let text = written.replace(',', ".").replace('−', "-").replace('\u{a0}', "");
     let (mantissa, power) = text.split_once("·10").unwrap_or((&text, "0"));
     let ten = libm::pow(10.0, power.parse().expect("a power"));
