@@ -334,7 +334,7 @@ NearValue = Union[Vector, float]
 
 
 #: A part of the figure.
-Panel = Literal["scheme", "velocity", "acceleration", "centers", "forces", "lever"]
+Panel = Literal["scheme", "velocity", "acceleration", "centers", "forces", "lever", "speeds"]
 
 
 #: The plans for which scales are chosen that the scene does not give.
@@ -406,6 +406,8 @@ class Figure(TypedDict):
     """Scale of the force plan: units of force per millimetre of paper."""
     mu_h: NotRequired[float]
     """Scale of the lever: units of velocity per millimetre of paper."""
+    mu_k: NotRequired[float]
+    """Scale of the speed diagram: units of length per millimetre of paper."""
     scales: NotRequired[ScalesFor]
     """For which plans scales are chosen that are not given; left out: "position"."""
     focus: NotRequired[Panel]
@@ -414,6 +416,8 @@ class Figure(TypedDict):
     """The sheet: "a4", "a3", "letter" or, for the projector, "16x9", with "-portrait" where it does not lie; left out: "a4"."""
     worksheet: NotRequired[bool]
     """Whether it is a work sheet: with a table of all measured lengths and a ruler to test the printer; left out: false."""
+    willis: NotRequired[bool]
+    """Whether Willis' table of the trains of wheels stands beside the panels; not on a work sheet. Left out: false."""
     style: NotRequired[StyleName]
     """How lines and letters look; left out: "paper"."""
     notation: NotRequired[Notation]
@@ -1084,6 +1088,8 @@ class PencilResult(TypedDict):
     """Scale of the force plan: units of force per millimetre of paper."""
     mu_h: NotRequired[Union[float, None]]
     """Scale of the lever: units of velocity per millimetre of paper."""
+    mu_k: NotRequired[Union[float, None]]
+    """Scale of the speed diagram: units of length per millimetre of paper."""
     bands: dict[str, BandResult]
     """By quantity name: what an honest drawing gives. A vector stands here by its `.size` and its `.angle`."""
     without: NotRequired[dict[str, str]]
@@ -1292,6 +1298,8 @@ class KeyScales(TypedDict):
     """Of the force plan."""
     mu_h: NotRequired[float]
     """Of the lever."""
+    mu_k: NotRequired[float]
+    """Of the speed diagram."""
 
 
 class KeyValue(TypedDict):
@@ -1337,6 +1345,8 @@ class FigureKeys(TypedDict, total=False):
     """Scale of the force plan: units of force per millimetre of paper."""
     mu_h: float | None
     """Scale of the lever: units of velocity per millimetre of paper."""
+    mu_k: float | None
+    """Scale of the speed diagram: units of length per millimetre of paper."""
     scales: ScalesFor | None
     """For which plans scales are chosen that are not given; left out: "position"."""
     focus: Panel | None
@@ -1345,6 +1355,8 @@ class FigureKeys(TypedDict, total=False):
     """The sheet: "a4", "a3", "letter" or, for the projector, "16x9", with "-portrait" where it does not lie; left out: "a4"."""
     worksheet: bool | None
     """Whether it is a work sheet: with a table of all measured lengths and a ruler to test the printer; left out: false."""
+    willis: bool | None
+    """Whether Willis' table of the trains of wheels stands beside the panels; not on a work sheet. Left out: false."""
     notation: Notation | None
     """How poles, images and parts of accelerations are written; left out: "paper". Names of quantities stay the same."""
     sliding: Sliding | None
