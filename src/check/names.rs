@@ -67,9 +67,10 @@ fn between(name: &str) -> Option<(QuantityName, Sheet)> {
     }
 }
 
-/// Whether a name asks for what lies between corners of a force polygon, which no step finds by that name.
-fn is_of_corners(name: &str) -> bool {
-    QuantityName::parse(name).is_some_and(|name| name.head == Head::Between(Sheet::Forces))
+/// Whether a name asks for what a form has a box for where the scene wants it alone: what lies between corners of a force polygon, which no
+/// step finds by that name; or an arm, which a hand measures on its way to a moment.
+fn is_extra(name: &str) -> bool {
+    QuantityName::parse(name).is_some_and(|name| matches!(name.head, Head::Between(Sheet::Forces) | Head::Arm))
 }
 
 fn rows(construction: &Construction) -> Vec<FormRow> {
@@ -124,15 +125,20 @@ impl<'a> Names<'a> {
         if let Some(form) = &solution.scene.form {
             let asked = form.iter().map(|(name, marks)| (names.row_of(&names.usual(name)).to_owned(), *marks));
             let asked: IndexMap<String, f64> = asked.collect();
-            names.rows.extend(asked.keys().filter(|name| is_of_corners(name)).map(|name| FormRow {
-                name: name.clone(),
-                segment: None,
-                is_measured: true,
-                worth: None,
-            }));
+            asked.keys().filter(|name| is_extra(name)).for_each(|name| names.add_row(name));
             names.rows.iter_mut().for_each(|row| row.worth = asked.get(&row.name).copied());
         }
         names
+    }
+
+    /// Adds a row that no step asks for: an arm before what its moment finds, all else behind the others.
+    fn add_row(&mut self, name: &str) {
+        let row = FormRow { name: name.to_owned(), segment: None, is_measured: true, worth: None };
+        let asked = QuantityRequest::new(name, &self.solution.mechanism).ok();
+        let step = asked.filter(QuantityRequest::is_arm).map(|asked| self.step_of(&asked));
+        let is_later = |row: &FormRow| self.order.get(&row.name).zip(step).is_some_and(|(own, step)| *own >= step);
+        let place = self.rows.iter().position(is_later).unwrap_or(self.rows.len());
+        self.rows.insert(place, row);
     }
 
     /// The names of the rows of the scene's form, in their order.
@@ -237,6 +243,10 @@ impl<'a> Names<'a> {
     /// The number of the step after which a quantity that no step names can be read: that which makes the image of its
     /// point, or the later of a segment's ends, or else the last of its sheet. 0 on the scheme.
     fn step_of(&self, asked: &QuantityRequest) -> usize {
+        let construction = &self.solution.construction;
+        if let Some(arm) = asked.measured_arm(construction, &self.solution.mechanism) {
+            return construction.step_of_number(arm).map_or(0, |step| construction.step_number(step));
+        }
         let sheet = asked.sheet();
         if sheet == Sheet::Scheme {
             return 0;
@@ -245,7 +255,6 @@ impl<'a> Names<'a> {
             let of_center = |pole: &Pole| self.order.get(&format!("{}.x", pole.name)).copied();
             return asked.centers().filter_map(of_center).max().unwrap_or(0);
         }
-        let construction = &self.solution.construction;
         let steps = || construction.steps_by_hand();
         if let What::Corners(ends) = &asked.what {
             let place = |name: &String| construction.place(sheet, name);

@@ -1,6 +1,6 @@
 //! Forces in joints and drives as quantities, in a position with its rates.
 
-use super::force_name::{ForceOf, LinePart, LoadOf, Towards};
+use super::force_name::{ArmPoint, ForceOf, LinePart, LoadOf, Towards};
 use super::name::{QuantityError, QuantityRequest, Spot, What};
 use super::says;
 use super::value::{Quantity, Reader, State};
@@ -37,11 +37,7 @@ impl ForceOf {
         Some(match *self {
             ForceOf::Reaction(pin, body) => Vector(forces.at_pin(mechanism, pin, body)?),
             ForceOf::ReactionPart(part, pin, body, towards) => {
-                let line = match towards {
-                    Towards::Point(other) => posed.place(other) - posed.place(pin),
-                    Towards::Guide(slider) => posed.guide(slider).quarter_turn(),
-                };
-                let line = if part == LinePart::Along { line } else { line.quarter_turn() };
+                let line = part.direction(pin, towards, posed);
                 Number(forces.at_pin(mechanism, pin, body)?.dot(line) / line.dot(line).sqrt())
             }
             ForceOf::Normal(slider) => Number(forces.normal(mechanism, slider, posed.guide(slider))),
@@ -60,6 +56,18 @@ impl ForceOf {
                 let load = load(of)?;
                 Number((load.at - about?).cross(load.force) + load.couple)
             }
+            ForceOf::Arm(ref of, ref point) => {
+                let about = match point {
+                    ArmPoint::Spot(_) => about?,
+                    ArmPoint::Crossing(lines) => {
+                        let [first, second] = lines.each_ref().map(|of| of.line(mechanism, forces, posed));
+                        crossing(first?, second?)
+                    }
+                };
+                let (at, along) = of.line(mechanism, forces, posed)?;
+                let moment = (at - about).cross(along);
+                Number(moment.larger(-moment) / along.dot(along).sqrt())
+            }
             ForceOf::Load(ref of) => Vector(load(of)?.force),
             ForceOf::Power(ref of) => {
                 let load = load(of)?;
@@ -70,6 +78,47 @@ impl ForceOf {
             ForceOf::ShakingMoment(_) => Number(forces.frame_moment(mechanism, posed, about?)),
         })
     }
+}
+
+impl ForceOf {
+    /// A place of its line of action and the line's direction, not of unit length; `None` of what is no force with a line. What a guide
+    /// carries has its couple beside it, so its line runs through the slider's point.
+    fn line<N: Counted>(
+        &self,
+        mechanism: &Mechanism,
+        forces: &Forces<N>,
+        posed: &impl Posed<N>,
+    ) -> Option<(Pair<N>, Pair<N>)> {
+        Some(match *self {
+            ForceOf::Load(of) => {
+                let load = forces.load(of.source, of.body)?;
+                (load.at, load.force)
+            }
+            ForceOf::Reaction(pin, body) => (posed.place(pin), forces.at_pin(mechanism, pin, body)?),
+            ForceOf::ReactionPart(part, pin, _, towards) => (posed.place(pin), part.direction(pin, towards, posed)),
+            ForceOf::Normal(slider) => {
+                let point = mechanism.joint_point(mechanism.slider_joint(slider));
+                (posed.place(point), posed.guide(slider).quarter_turn())
+            }
+            _ => return None,
+        })
+    }
+}
+
+impl LinePart {
+    /// The direction of this part of what a pin does, not of unit length.
+    fn direction<N: Counted>(self, pin: PointId, towards: Towards, posed: &impl Posed<N>) -> Pair<N> {
+        let line = match towards {
+            Towards::Point(other) => posed.place(other) - posed.place(pin),
+            Towards::Guide(slider) => posed.guide(slider).quarter_turn(),
+        };
+        if self == LinePart::Along { line } else { line.quarter_turn() }
+    }
+}
+
+/// Where two lines cross, each by a place and a direction: infinite or NaN where they are parallel.
+fn crossing<N: Counted>((at, along): (Pair<N>, Pair<N>), (through, other): (Pair<N>, Pair<N>)) -> Pair<N> {
+    at + along * ((through - at).cross(other) / along.cross(other))
 }
 
 impl<S: State> Reader<'_, S> {
@@ -86,6 +135,7 @@ impl<S: State> Reader<'_, S> {
         };
         match found.ok_or_else(|| self.asked.none(says::no_forces()))? {
             ForceRead::Number(number) if number.is_finite() => Ok(Quantity::Number(number)),
+            ForceRead::Number(_) if matches!(of, ForceOf::Arm(..)) => Err(self.asked.none(says::no_line_of_action())),
             ForceRead::Number(_) => Err(self.asked.none(says::no_normal_force())),
             ForceRead::Vector(Pair { x, y }) => Ok(Quantity::Vector(Vector::new(x, y))),
         }

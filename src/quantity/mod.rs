@@ -26,7 +26,7 @@ mod value;
 pub use crate::scene::{Component, Head, QuantityName};
 pub use crate::sheet::QuantityKind;
 pub use band::{Band, Pencil, pencil, step_pencil};
-pub use force_name::{ForceOf, LinePart, LoadOf, Towards, force_names};
+pub use force_name::{ArmPoint, ForceOf, LinePart, LoadOf, Towards, force_names};
 pub(crate) use forces::ForceRead;
 pub use forces::KeptForces;
 pub use name::{

@@ -347,11 +347,12 @@ impl Finder<'_> {
             | Head::FrictionCouple
             | Head::CenterAcceleration
             | Head::LoadMoment
+            | Head::Arm
             | Head::Load
             | Head::Power
             | Head::Shaking
             | Head::ShakingMoment => {
-                What::Force(self.force(*head, first, second)?, Arc::new(Compiled::new(self.mechanism)))
+                What::Force(self.force(*head, arguments)?, Arc::new(Compiled::new(self.mechanism)))
             }
         })
     }

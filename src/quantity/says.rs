@@ -38,6 +38,7 @@ messages! { "quantity":
     no_inertia;
     no_line_of_joints;
     no_normal_force;
+    no_line_of_action;
     not_driven;
     not_at_pin;
     no_forces;

@@ -89,6 +89,7 @@ impl QuantityRequest {
             | What::Length(Spot::Pole(_), _)
             | What::Length(_, Spot::Pole(_)) => Sheet::Centers,
             What::Force(ForceOf::Power(_), _) => Sheet::Lever,
+            What::Force(ForceOf::Arm(..), _) => Sheet::Scheme,
             What::Force(..) | What::Corners(_) => Sheet::Forces,
             _ => self.order().map_or(Sheet::Scheme, Order::sheet),
         }
@@ -130,10 +131,11 @@ impl QuantityRequest {
         is_offset || matches!(self.kind(), QuantityKind::Moment | QuantityKind::Power)
     }
 
-    /// Whether it is the distance of two places: a length of the scheme, or a segment of a plan.
+    /// Whether it is the distance of two places: a length of the scheme, an arm, or a segment of a plan.
     #[must_use]
     pub fn is_distance(&self) -> bool {
-        matches!(self.what, What::Segment(..) | What::Corners(_) | What::Length(..)) && self.written.component.is_none()
+        let is_between = matches!(self.what, What::Segment(..) | What::Corners(_) | What::Length(..));
+        (is_between && self.written.component.is_none()) || self.is_arm()
     }
 
     /// Whether it is a rate that is solved for or given, or follows from such rates alone: its sense is written as a sign, or not at all.
@@ -257,6 +259,11 @@ impl QuantityRequest {
                     }
                     ForceOf::CenterAcceleration(id) => plain("a", format!("cm{}", link(*id))),
                     ForceOf::LoadMoment(of, about) => plain("M", format!("{},{}", load(of), shown(about.name()))),
+                    ForceOf::Arm(..) => {
+                        // A mark for an index would begin another one.
+                        let names = self.written.arguments.iter().map(|name| shown(name).replace('_', ""));
+                        plain("h", names.collect::<Vec<_>>().join(","))
+                    }
                     ForceOf::Load(of) => Symbol { after: load(of), ..plain("", String::new()) },
                     ForceOf::Power(of) => plain("P", load(of)),
                     ForceOf::Shaking => plain("F", "s".to_owned()),

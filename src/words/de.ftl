@@ -1340,6 +1340,7 @@ quantity-no_mass = dieses Glied hat keine Masse
 quantity-no_inertia = die Trägheit bleibt außer Betracht: `"analysis": "static"`
 quantity-no_line_of_joints = dieses Glied hat dort nicht zwei Gelenke, deren Linie gemeint wäre
 quantity-no_normal_force = quer zur Führung wirkt keine Kraft
+quantity-no_line_of_action = die Kraft hat hier keine Wirkungslinie, oder keine in endlichem Abstand
 quantity-not_driven = es ist nicht angetrieben
 quantity-not_at_pin = dieses Glied hat kein Gelenk an diesem Bolzen
 quantity-no_forces = seine Lasten liegen außerhalb des Zahlenbereichs, die Stellung ist singulär, oder Reibung sperrt

@@ -1373,6 +1373,7 @@ quantity-no_mass = that link has no mass
 quantity-no_inertia = inertia is left out: `"analysis": "static"`
 quantity-no_line_of_joints = that link has not two joints there, whose line would be meant
 quantity-no_normal_force = no force across the guide
+quantity-no_line_of_action = the force has no line of action here, or none that runs at a finite distance
 quantity-not_driven = it is not driven
 quantity-not_at_pin = that link has no joint at that pin
 quantity-no_forces = its loads leave the range of numbers, the position is singular, or friction locks it

@@ -1338,6 +1338,7 @@ quantity-no_mass = ese eslabón no tiene masa
 quantity-no_inertia = la inercia no se tiene en cuenta: `"analysis": "static"`
 quantity-no_line_of_joints = ese eslabón no tiene allí dos pares cuya línea se pudiera entender
 quantity-no_normal_force = no hay fuerza transversal a la guía
+quantity-no_line_of_action = la fuerza no tiene aquí línea de acción, o ninguna a distancia finita
 quantity-not_driven = no está accionado
 quantity-not_at_pin = ese eslabón no tiene articulación en ese perno
 quantity-no_forces = sus cargas salen del rango de los números, la posición es singular o el rozamiento lo bloquea

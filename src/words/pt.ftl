@@ -1340,6 +1340,7 @@ quantity-no_mass = essa barra não tem massa
 quantity-no_inertia = a inércia não é considerada: `"analysis": "static"`
 quantity-no_line_of_joints = essa barra não tem ali duas juntas cuja linha se pudesse entender
 quantity-no_normal_force = não há força transversal à guia
+quantity-no_line_of_action = a força não tem aqui linha de ação, ou nenhuma a distância finita
 quantity-not_driven = não é acionado
 quantity-not_at_pin = esse elo não tem junta nesse pino
 quantity-no_forces = as suas cargas saem do domínio dos números, a posição é singular ou o atrito bloqueia-o
