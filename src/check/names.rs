@@ -30,6 +30,12 @@ pub fn asked_names(solution: &Solution) -> Vec<String> {
     Names::new(solution).rows().map(str::to_owned).collect()
 }
 
+/// The names of the arms that a hand measures for its force polygons: a form asks for those that the scene's key `form` names.
+#[must_use]
+pub fn arm_names(solution: &Solution) -> Vec<String> {
+    solution.construction.arm_names(&solution.mechanism).into_iter().collect()
+}
+
 /// A row of a form.
 #[derive(Debug)]
 struct FormRow {
@@ -70,7 +76,12 @@ fn between(name: &str) -> Option<(QuantityName, Sheet)> {
 /// Whether a name asks for what a form has a box for where the scene wants it alone: what lies between corners of a force polygon, which no
 /// step finds by that name; or an arm, which a hand measures on its way to a moment.
 fn is_extra(name: &str) -> bool {
-    QuantityName::parse(name).is_some_and(|name| matches!(name.head, Head::Between(Sheet::Forces) | Head::Arm))
+    is_arm(name) || QuantityName::parse(name).is_some_and(|name| name.head == Head::Between(Sheet::Forces))
+}
+
+/// Whether a name asks for the arm of a force.
+pub(crate) fn is_arm(name: &str) -> bool {
+    QuantityName::parse(name).is_some_and(|name| name.head == Head::Arm)
 }
 
 fn rows(construction: &Construction) -> Vec<FormRow> {
