@@ -86,12 +86,21 @@ pub(super) struct Check {
     correction: Correction,
 }
 
+/// The names of the arms that a form may ask for; refuses a scene that has none.
+pub(super) fn arms(solution: &Solution) -> Result<Vec<String>, Failure> {
+    let arms = check::arm_names(solution);
+    match arms.is_empty() {
+        true => refuse(
+            "no arms are measured: the figure has no force polygons",
+            "give loads and add the panel `\"forces\"` to `figure`, or leave `--arms` out",
+        ),
+        false => Ok(arms),
+    }
+}
+
 /// Adds boxes for arms to the form of a scene.
 fn ask_for_arms(solution: &mut Solution) -> Result<(), Failure> {
-    let arms = check::arm_names(solution);
-    if arms.is_empty() {
-        return refuse("the form has no arms: its figure has no force polygons", "add the panel `\"forces\"` to `figure`");
-    }
+    let arms = arms(solution)?;
     let names = check::asked_names(solution).into_iter().chain(arms);
     let own = solution.scene.form.take().unwrap_or_default();
     solution.scene.form = Some(names.map(|name| (name.clone(), own.get(&name).copied().unwrap_or(1.0))).collect());

@@ -1,3 +1,4 @@
+use super::check::arms;
 use super::figures::{GivenStyle, stem, style_names};
 use super::files;
 use super::message::{Failure, Source, note, refuse};
@@ -79,6 +80,7 @@ impl ExerciseCommand {
             Failure::misuse(format!("{}: {error}", source.name), "`kinegon new --list` shows other kinds")
         })?;
         if self.arms {
+            arms(&solution)?;
             exercises = exercises.with_arms();
         }
         if self.pass.is_some() && self.lms != Some(Lms::Scorm) {

@@ -260,8 +260,8 @@ impl QuantityRequest {
                     ForceOf::CenterAcceleration(id) => plain("a", format!("cm{}", link(*id))),
                     ForceOf::LoadMoment(of, about) => plain("M", format!("{},{}", load(of), shown(about.name()))),
                     ForceOf::Arm(..) => {
-                        // A mark for an index would begin another one.
-                        let names = self.written.arguments.iter().map(|name| shown(name).replace('_', ""));
+                        // An index has none of its own.
+                        let names = self.written.arguments.iter().map(|name| shown(name).replace(['_', '{', '}'], ""));
                         plain("h", names.collect::<Vec<_>>().join(","))
                     }
                     ForceOf::Load(of) => Symbol { after: load(of), ..plain("", String::new()) },

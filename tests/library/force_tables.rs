@@ -92,7 +92,7 @@ fn a_slider_crank_with_all_loads_is_as_one_by_one() {
     let scene = slider_crank();
     let forces = ["R(B,2)", "R(C,3).x", "N(3/ground)", "M(3/ground)", "R(A,ground).size", "shaking", "R_n(B,2)"];
     are_as_solved(scene.clone(), "1", [10.0, 370.0], &forces);
-    let moments = ["T(1)", "moment(F1,A)", "shaking(A)", "M_i(2)", "power(F2)", "power(K1(2))", "power(M1)"];
+    let moments = ["T(1)", "moment(F1,A)", "shaking(A)", "M_i(2)", "power(F2)", "power(K1(2))", "power(M3)"];
     are_as_solved(scene, "1", [10.0, 370.0], &moments);
 }
 
