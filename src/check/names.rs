@@ -8,7 +8,7 @@ use super::measured::{CheckError, UNDER_SLIDER};
 use super::says;
 use crate::centers::LinkPair;
 use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
-use crate::quantity::{Pole, QuantityError, QuantityRequest, What};
+use crate::quantity::{Corners, Pole, QuantityError, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, shown};
@@ -145,8 +145,20 @@ impl<'a> Names<'a> {
     /// Adds a row that no step asks for: an arm before what its moment finds, all else behind the others.
     fn add_row(&mut self, name: &str) {
         let row = FormRow { name: name.to_owned(), segment: None, is_measured: true, worth: None };
-        let asked = QuantityRequest::new(name, &self.solution.mechanism).ok();
-        let step = asked.filter(QuantityRequest::is_arm).map(|asked| self.step_of(&asked));
+        // What the plan does not have has no box.
+        let Solution { mechanism, construction, .. } = self.solution;
+        let Ok(asked) = QuantityRequest::new(name, mechanism) else { return };
+        let is_there = match asked.is_arm() {
+            true => asked.measured_arm(construction, mechanism).is_some(),
+            false => {
+                let scales = self.solution.scales();
+                asked.value(&self.solution.snapshot(), Some(construction), Some(&scales)).is_ok()
+            }
+        };
+        if !is_there {
+            return;
+        }
+        let step = asked.is_arm().then(|| self.step_of(&asked));
         let is_later = |row: &FormRow| self.order.get(&row.name).zip(step).is_some_and(|(own, step)| *own >= step);
         let place = self.rows.iter().position(is_later).unwrap_or(self.rows.len());
         self.rows.insert(place, row);
@@ -267,7 +279,7 @@ impl<'a> Names<'a> {
             return asked.centers().filter_map(of_center).max().unwrap_or(0);
         }
         let steps = || construction.steps_by_hand();
-        if let What::Corners(ends) = &asked.what {
+        if let What::Corners(Corners { ends, .. }) = &asked.what {
             let place = |name: &String| construction.place(sheet, name);
             let made = ends.iter().filter_map(place).filter_map(|place| construction.step_of_place(place));
             return made.map(|step| construction.step_number(step)).max().unwrap_or(0);
@@ -293,7 +305,9 @@ impl<'a> Names<'a> {
         match &asked.what {
             What::Segment(order, [from, to]) if asked.written.component.is_none() => between(order.sheet(), from, to),
             What::Segment(order, [from, to]) => format!("∠ {}", between(order.sheet(), from, to)),
-            What::Corners([from, to]) if asked.written.component.is_none() => between(Sheet::Forces, from, to),
+            What::Corners(Corners { ends: [from, to], .. }) if asked.written.component.is_none() => {
+                between(Sheet::Forces, from, to)
+            }
             What::Length(from, to) if asked.sheet() == Sheet::Scheme => between(Sheet::Scheme, from.name(), to.name()),
             _ => {
                 let Wording { notation, .. } = self.solution.wording();

@@ -9,7 +9,9 @@ use serde_json::Value as Json;
 use super::document::{Document, Word};
 use super::says;
 use crate::construction::image_name;
-use crate::scene::{Argument, Bearer, Meaning, QuantityName, Scene, SceneError, close, couple_name, meaning, pair, why_not};
+use crate::scene::{
+    Argument, Bearer, Meaning, QuantityName, Scene, SceneError, close, couple_name, meaning, pair, why_not,
+};
 
 /// What has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

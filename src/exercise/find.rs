@@ -160,7 +160,8 @@ impl Exercises {
     fn lacks_room(&self) -> bool {
         let mut random = Random(0);
         let variants = (0..PILOT).map(|_| varied(&self.base, &self.on_guides, &mut random).to_string());
-        let good = variants.filter(|numbers| Exercise::of(numbers, self.figure.page, Some(&self.figure), self.has_arms).is_ok());
+        let good = variants
+            .filter(|numbers| Exercise::of(numbers, self.figure.page, Some(&self.figure), self.has_arms).is_ok());
         good.take(FEW).count() < FEW
     }
 

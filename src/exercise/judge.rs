@@ -190,8 +190,7 @@ impl Exercise {
         centers::are_sure(&rows, &scales)?;
         forces::are_sure(&rows)?;
         key_scales(&solution, &rows).ok_or(Refusal::Sheet)?;
-        let asked: Vec<KeyRow<'_>> =
-            rows.into_iter().filter(|row| names.contains(row.asked.name())).collect();
+        let asked: Vec<KeyRow<'_>> = rows.into_iter().filter(|row| names.contains(row.asked.name())).collect();
         let to_ask = to_ask(&asked, &solution);
         pencil.quantities.retain(|(quantity, _)| names.contains(quantity.name()));
         pencil.quantities.sort_by_key(|(quantity, _)| names.get_index_of(quantity.name()));

@@ -97,9 +97,9 @@ impl ForceOf {
     /// The place about which moments are taken, if any.
     pub(crate) fn about(&self) -> Option<&Spot> {
         match self {
-            ForceOf::LoadMoment(_, about)
-            | ForceOf::ShakingMoment(about)
-            | ForceOf::Arm(_, ArmPoint::Spot(about)) => Some(about),
+            ForceOf::LoadMoment(_, about) | ForceOf::ShakingMoment(about) | ForceOf::Arm(_, ArmPoint::Spot(about)) => {
+                Some(about)
+            }
             _ => None,
         }
     }

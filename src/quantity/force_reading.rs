@@ -4,8 +4,8 @@ use super::force_name::{ArmPoint, ForceOf, LinePart, LoadOf};
 use super::name::{QuantityRequest, Spot, What};
 use super::reading::{Reader, Sense, Unread};
 use crate::construction::{
-    Along, Construction, Equation, ForceOf as Drawn, ForcePart, LoadShown, MeasuredAs, MomentPoint, NumberId, NumberKind,
-    OperationRole, Product,
+    Along, Construction, Equation, ForceOf as Drawn, ForcePart, LoadShown, MeasuredAs, MomentPoint, NumberId,
+    NumberKind, OperationRole, Product,
 };
 use crate::forces::{Driven, Source};
 use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};

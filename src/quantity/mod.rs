@@ -22,6 +22,7 @@ pub mod says;
 mod turning;
 mod unit;
 mod value;
+mod ways;
 
 pub use crate::scene::{Component, Head, QuantityName};
 pub use crate::sheet::QuantityKind;
@@ -36,3 +37,4 @@ pub use name::{
 pub use reading::{Reading, Sense, Unread, read_by_hand};
 pub use turning::turning_names;
 pub use value::{Quantity, Snapshot, State};
+pub use ways::Corners;

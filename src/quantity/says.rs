@@ -25,7 +25,7 @@ messages! { "quantity":
     no_force_plan;
     two_polygons;
     routes_differ;
-    corners_of_one_position;
+    no_way;
     centre_at_infinity;
     centre_at_place;
     rest_on_another;

@@ -1,5 +1,6 @@
 use super::force_name::{ForceOf, LinePart, LoadOf};
 use super::name::{AccelerationPart, Pole, PoleOf, QuantityRequest, Spot, What};
+use super::ways::Corners;
 use crate::construction::{Construction, Rate};
 use crate::geometry::{with_turns, without_sense};
 use crate::mechanism::Mechanism;
@@ -50,7 +51,8 @@ impl QuantityRequest {
     pub fn needs_construction(&self) -> bool {
         let special = |spot: &Spot| matches!(spot, Spot::Special(_));
         match &self.what {
-            What::Segment(..) | What::Corners(_) => true,
+            What::Segment(..) => true,
+            What::Corners(corners) => corners.way.is_none(),
             What::Coordinate(_, spot) | What::PathRadius(spot) => special(spot),
             What::Length(a, b) | What::Part(_, a, b, _) => special(a) || special(b),
             What::Motion(_, a, b) => special(a) || b.as_ref().is_some_and(special),
@@ -278,14 +280,16 @@ impl QuantityRequest {
                 };
                 relative("a", part, a.name(), Some(b.name()))
             }
-            What::Corners([from, to]) if is_along(Component::X) || is_along(Component::Y) => {
+            What::Corners(Corners { ends: [from, to], .. }) if is_along(Component::X) || is_along(Component::Y) => {
                 let axis = if is_along(Component::X) { "x" } else { "y" };
                 Symbol { after: format!("({} {})", shown(from), shown(to)), ..plain("F", axis.to_owned()) }
             }
-            What::Segment(_, [from, to]) | What::Corners([from, to]) if self.written.component.is_some() => {
+            What::Segment(_, [from, to]) | What::Corners(Corners { ends: [from, to], .. })
+                if self.written.component.is_some() =>
+            {
                 Symbol { after: format!("({} {})", shown(from), shown(to)), ..plain("", String::new()) }
             }
-            What::Corners([from, to]) => Symbol {
+            What::Corners(Corners { ends: [from, to], .. }) => Symbol {
                 after: format!(" ({} {})", shown(from), shown(to)),
                 ..plain(Sheet::Forces.facts().scale_symbol, String::new())
             },

@@ -115,7 +115,10 @@ fn only_a_form_that_names_arms_has_boxes_for_them() {
     // Each stands before what its moment finds.
     let place = |name: &str| names.iter().position(|own| own == name).unwrap_or_else(|| panic!("{name} in {names:?}"));
     assert_eq!(names.len(), usual.len() + 3);
-    assert!(place("arm(R_t(B,2),C)") + 1 == place("R_t(B,2)") && place("arm(R(B,1),A)") + 1 == place("T(1)"), "{names:?}");
+    assert!(
+        place("arm(R_t(B,2),C)") + 1 == place("R_t(B,2)") && place("arm(R(B,1),A)") + 1 == place("T(1)"),
+        "{names:?}"
+    );
 }
 
 fn form(solution: &Solution, values: &Value) -> Measured {
@@ -140,7 +143,8 @@ fn arms_are_judged_in_units_and_in_millimetres_of_paper() {
         "arm(R(B,1),A)/mu": format!("{:.1}", at_crank / mu),
     }));
     assert!(all_right.values.iter().all(|value| value.verdict != Verdict::Off), "{:?}", all_right.values);
-    let off = judged(json!({ "arm(R_t(B,2),C)": format!("{:.1}", across * 0.8), "arm(R(B,1),A)": format!("{at_crank:.1}") }));
+    let off =
+        judged(json!({ "arm(R_t(B,2),C)": format!("{:.1}", across * 0.8), "arm(R(B,1),A)": format!("{at_crank:.1}") }));
     assert_eq!(off.values.iter().filter(|value| value.verdict == Verdict::Off).count(), 1, "{:?}", off.values);
 }
 
@@ -182,7 +186,8 @@ fn mistakes_with_arms_show_in_their_boxes() {
 fn exercises_ask_for_arms_where_they_are_to() {
     let scene = solution(&engine());
     let of = |exercises: Exercises| exercises.clone().next().expect("an exercise");
-    let (usual, with) = (Exercises::new(&scene, None, 3).expect("it varies"), Exercises::new(&scene, None, 3).expect("it varies"));
+    let (usual, with) =
+        (Exercises::new(&scene, None, 3).expect("it varies"), Exercises::new(&scene, None, 3).expect("it varies"));
     let (usual, with) = (of(usual), of(with.with_arms()));
     let form = |text: &str| serde_json::from_str::<Value>(text).expect("JSON")["form"].clone();
     let (own, more) = (form(&usual.text), form(&with.text));

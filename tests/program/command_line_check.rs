@@ -1,7 +1,7 @@
 //! `kinegon check` from outside: forms, verdicts, exit codes, and values that nobody can understand.
 
-use std::process::Output;
 use serde_json::{Value, json};
+use std::process::Output;
 use support::files;
 use support::program::{kinegon, scratch, stderr};
 
@@ -357,7 +357,8 @@ fn arms_are_asked_for_by_an_option() {
     let file = folder.join("scene.json");
     std::fs::write(&file, scene.to_string()).expect("it can be written");
     let template = |more: &[&str]| {
-        let output = kinegon().arg("check").arg(&file).args(["--template", "json"]).args(more).output().expect("it starts");
+        let output =
+            kinegon().arg("check").arg(&file).args(["--template", "json"]).args(more).output().expect("it starts");
         assert!(output.status.success(), "{}", stderr(&output));
         let form: Value = serde_json::from_slice(&output.stdout).expect("JSON");
         form["values"].as_object().expect("values").keys().cloned().collect::<Vec<_>>()

@@ -33,9 +33,9 @@ impl Construction {
     /// The names of the arms that a hand measures for its force polygons, in order, each once.
     pub(crate) fn arm_names(&self, mechanism: &Mechanism) -> IndexSet<String> {
         let drawn = self.forces.as_deref().filter(|_| self.by_hand.contains(&Sheet::Forces));
-        let arms = drawn.into_iter().flat_map(|plan| {
-            plan.arms().filter_map(|(moment, arm)| plan.arm_name(mechanism, moment.about, arm))
-        });
+        let arms = drawn
+            .into_iter()
+            .flat_map(|plan| plan.arms().filter_map(|(moment, arm)| plan.arm_name(mechanism, moment.about, arm)));
         arms.collect()
     }
 
