@@ -54,9 +54,14 @@ impl Solution {
             |name: &str| QuantityName::parse(name).is_some_and(|name| name.head == Head::Between(Sheet::Forces));
         let wanted = self.scene.want.iter().flatten().enumerate().filter(|(_, name)| is_of_corners(name));
         for (index, name) in wanted {
-            let asked = QuantityRequest::new(name, &self.mechanism);
-            let scales = self.scales();
-            let found = asked.and_then(|asked| asked.value(&self.snapshot(), Some(&self.construction), Some(&scales)));
+            let found = QuantityRequest::new(name, &self.mechanism).and_then(|asked| match &asked.what {
+                What::Corners(corners) => {
+                    let state = &self.snapshot();
+                    Reader { asked: &asked, state, construction: Some(&self.construction) }.corners(&corners.ends)?;
+                    Ok(())
+                }
+                _ => Ok(()),
+            });
             found.map_err(|error| self.scene.error_at(&["want", &index.to_string()], error.problem().message, None))?;
         }
         Ok(())

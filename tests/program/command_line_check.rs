@@ -371,3 +371,29 @@ fn arms_are_asked_for_by_an_option() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(stderr(&refused).contains("no force polygons"), "{}", stderr(&refused));
 }
+
+/// Corners that the force polygons do not have are refused alike, whatever is made of the scene; whoever asks for other panels does without.
+#[test]
+fn corners_that_are_not_there_are_refused_everywhere() {
+    let folder = scratch("corners");
+    let mut scene: Value = serde_json::from_str(&files::read("templates/four-bar.json")).expect("a scene");
+    scene["units"] = json!({ "length": "mm", "time": "s", "mass": "kg", "force": "N" });
+    scene["analysis"] = json!("static");
+    scene["forces"] = json!([{ "name": "P", "on": "2", "at": 60, "force": { "size": 150, "angle": 250 } }]);
+    scene["figure"] = json!({ "panels": ["scheme", "forces"] });
+    scene["want"] = json!(["omega(3)", "fplan(o1,z9)"]);
+    let file = folder.join("scene.json");
+    std::fs::write(&file, serde_json::to_string_pretty(&scene).expect("JSON")).expect("it can be written");
+    let said = |arguments: &[&str]| {
+        let output = kinegon().arg(arguments[0]).arg(&file).args(&arguments[1..]).current_dir(&folder).output();
+        let output = output.expect("it starts");
+        (output.status.code(), stderr(&output))
+    };
+    let (code, solved) = said(&["solve"]);
+    assert!(code == Some(2) && solved.contains("z9") && solved.contains("scene.json"), "{solved}");
+    for command in [&["draw", "-o", "x.svg"][..], &["steps"], &["check", "--template"]] {
+        assert_eq!(said(command), (Some(2), solved.clone()), "{command:?}");
+    }
+    let (code, said) = said(&["draw", "--panels", "scheme", "-o", "x.svg"]);
+    assert_eq!(code, Some(0), "{said}");
+}
