@@ -394,6 +394,6 @@ fn corners_that_are_not_there_are_refused_everywhere() {
     for command in [&["draw", "-o", "x.svg"][..], &["steps"], &["check", "--template"]] {
         assert_eq!(said(command), (Some(2), solved.clone()), "{command:?}");
     }
-    let (code, said) = said(&["draw", "--panels", "scheme", "-o", "x.svg"]);
+    let (code, said) = said(&["draw", "--focus", "scheme", "-o", "x.svg"]);
     assert_eq!(code, Some(0), "{said}");
 }
