@@ -204,7 +204,7 @@ export function model(app: App): Model {
   function holdLoad(load: LoadPress): Held {
     const [text, there] = [app.history.now.value.text, present()];
     const change = async (by: Place): Promise<string | null> => {
-      const now = there === null ? null : dragged(there, load, by);
+      const now = there === null ? null : dragged({ ...there, isOnGrid: snaps.value }, load, by);
       if (now === null) return null;
       const next = await app.engine.edit_in_place(text, now.edits);
       dragging.set(now);

@@ -43,7 +43,7 @@ function vector(value: unknown): Place | null {
 }
 
 /** All loads whose places are known. */
-export function seenLoads(present: Present): Seen[] {
+function seenLoads(present: Present): Seen[] {
   const { scene, places } = present;
   return listOf(scene, "forces").flatMap((load, index): Seen[] => {
     const on = String(at(load, ["on"]) ?? "");
@@ -89,8 +89,8 @@ function stepOf(number: number, least: number): number {
   return Math.max(least, 10 ** (Math.floor(Math.log10(Math.abs(number) || 1)) - 1));
 }
 
-/** So many steps of the grid, not rounded to whole ones where there is no grid. */
-const steps = (way: number, grain: number): number => Math.round((way / grain) * 10) / 10;
+/** So many steps of the grid: whole ones where it is on. */
+const stepsOf = (way: number, { grain, isOnGrid }: Held): number => (isOnGrid ? Math.round(way / grain) : Math.round((way / grain) * 10) / 10);
 
 const rounded = (value: number): number => short(Number(value.toPrecision(6)));
 
@@ -104,8 +104,11 @@ export interface Dragged {
   to: Place;
 }
 
+/** What is there, and whether the grid is on. */
+type Held = Present & { isOnGrid: boolean };
+
 /** What follows where a load is dragged so far; null where nothing is left of it. */
-export function dragged(present: Present, load: LoadPress, by: Place): Dragged | null {
+export function dragged(present: Held, load: LoadPress, by: Place): Dragged | null {
   const seen = seenLoads(present).find(({ index }) => index === load.index);
   if (seen === undefined) return null;
   const to = plus(load.at, by, 1);
@@ -113,12 +116,12 @@ export function dragged(present: Present, load: LoadPress, by: Place): Dragged |
   return load.part === "shaft" ? moved(present, seen, by, to) : twisted(present, seen, by, to);
 }
 
-function forced(present: Present, { index, on, spot, force }: Seen, by: Place, to: Place): Dragged | null {
-  const { scene, grain } = present;
+function forced(present: Held, { index, on, spot, force }: Seen, by: Place, to: Place): Dragged | null {
+  const { scene } = present;
   const path = ["forces", index, "force"];
   const before = force ?? [0, 0];
   const step = stepOf(Math.hypot(...before), LEAST);
-  const now = before.map((part, axis) => rounded(part + steps(by[axis]!, grain) * step)) as Place;
+  const now = before.map((part, axis) => rounded(part + stepsOf(by[axis]!, present) * step)) as Place;
   const size = Math.hypot(...now);
   if (size === 0) return null;
   const angle = (Math.atan2(now[1], now[0]) * 180) / Math.PI;
@@ -142,9 +145,9 @@ function moved(present: Present, { index, on, spot }: Seen, by: Place, to: Place
 }
 
 /** Up and to the right a couple turns more counter-clockwise. */
-function twisted({ scene, grain }: Present, { index, spot, couple }: Seen, by: Place, to: Place): Dragged | null {
-  const now = rounded(couple + steps(by[0] + by[1], grain) * stepOf(couple, 10 * LEAST));
+function twisted(present: Held, { index, spot, couple }: Seen, by: Place, to: Place): Dragged | null {
+  const now = rounded(couple + stepsOf(by[0] + by[1], present) * stepOf(couple, 10 * LEAST));
   if (now === 0) return null;
-  const { forces, length } = unitsOf(scene);
+  const { forces, length } = unitsOf(present.scene);
   return { edits: [{ set: ["forces", index, "couple"], value: now }], words: `${now} ${forces}·${length}`.replace("-", "−"), from: spot, to };
 }

@@ -118,6 +118,8 @@ export function stage(app: App, model: Model, field: HTMLElement, menu: (press: 
       isWaiting = false;
       if (!app.building.value) return;
       const cross = svgElement("g", { class: "cross" }, ...crossShape(sight.toPane(keyed.cross()), keyed.words()));
+      // For tests: what can be taken hold of of loads.
+      over.dataset["loads"] = JSON.stringify(model.handles());
       over.replaceChildren(...marks(), ...frame(), ...under(), ...line(), cross);
     });
   }
