@@ -2,7 +2,7 @@
 //! covariance that its honest errors give the values.
 
 use super::mistakes::{Amount, Free};
-use super::model::{COMPUTING, Changes, GROUPS, Model, PLOTTED, TOGETHER, drawn_on, in_order};
+use super::model::{COMPUTING, Changes, GROUPS, LEANING, Model, PLOTTED, TOGETHER, in_order};
 use crate::construction::{Change, ComingRound, Disturbance, NumberId, Rubbed, Tolerance, Values, pressing_off};
 use crate::geometry::{with_turns, without_sense};
 use crate::sheet::QuantityKind;
@@ -117,17 +117,17 @@ impl Hand {
 
     /// The size of its largest errors of drawing and measuring, in parts of the tolerance.
     pub fn worst(&self) -> f64 {
-        self.errors[..COMPUTING].iter().copied().fold(0.0, f64::max)
+        self.errors[..LEANING].iter().copied().fold(0.0, f64::max)
     }
 
     /// Whether its errors are as large as those of drawings by hand.
     pub fn is_by_hand(&self) -> bool {
-        self.errors[..COMPUTING].iter().all(|&s| s == 0.0 || s >= BY_HAND)
+        self.errors[..LEANING].iter().all(|&s| s == 0.0 || s >= BY_HAND)
     }
 
     /// Its cost, −2 ln of its prior probability. A kind of errors of size zero is left out: it is not a better hand.
     pub fn cost(&self) -> f64 {
-        let sizes = self.errors[..COMPUTING].iter().filter(|s| **s > 0.0);
+        let sizes = self.errors[..LEANING].iter().filter(|s| **s > 0.0);
         let better: f64 = sizes.map(|s| -BETTER * libm::log10(s.min(1.0))).sum();
         let worse = WORSE * libm::log2(self.worst().max(1.0));
         let slipping = if self.errors[COMPUTING] > 0.0 { SLIPPING } else { 0.0 };
@@ -147,7 +147,7 @@ pub(super) struct Covariances {
     pub used: Vec<bool>,
 }
 
-/// By kind of errors: the covariance matrix of the values at the tolerance.
+/// By kind of errors: the covariance matrix of the values at the tolerance; that of what leans is empty where nothing rubs.
 pub(super) type Groups = [Vec<f64>; GROUPS];
 
 /// Part of its rounding's variance that a value keeps for itself where later operations use it as written: the rounding
@@ -262,7 +262,7 @@ const DEVIATION: f64 = 0.577_350_269_189_625_8;
 /// The covariances that the errors of hands cause, whatever digits are written.
 fn of_hands(effects: &mut Effects<'_>, tolerance: &Tolerance) -> Groups {
     let (model, count) = (effects.model, effects.exact.len());
-    let mut groups: Groups = core::array::from_fn(|_| vec![0.0; count * count]);
+    let mut groups: Groups = core::array::from_fn(|kind| vec![0.0; if kind == LEANING { 0 } else { count * count }]);
     let mut plotted: Vec<Vec<f64>> = Vec::new();
     let friction = effects.friction();
     for (operation, which, limit, group) in model.errors(tolerance) {
@@ -285,9 +285,10 @@ fn of_hands(effects: &mut Effects<'_>, tolerance: &Tolerance) -> Groups {
     }
     if let Some((rubbed, coming_round)) = &friction {
         for (joint, own) in rubbed.iter().enumerate() {
-            let (sheet, part) = own.drawn(model.scales, tolerance);
-            let column: Vec<f64> = coming_round.of_joint(joint).iter().map(|x| x * part * DEVIATION).collect();
-            add_outer(&mut groups[drawn_on(sheet)], &column);
+            let part = own.drawn(model.scales, tolerance) * DEVIATION;
+            let column: Vec<f64> = coming_round.of_joint(joint).iter().map(|x| x * part).collect();
+            groups[LEANING].resize(count * count, 0.0);
+            add_outer(&mut groups[LEANING], &column);
         }
     }
     let mut column = vec![0.0; count];

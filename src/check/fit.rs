@@ -3,7 +3,7 @@
 
 use super::covariance::{CAREFUL, Covariances, Habit, Hand, SIZES, SLIPS};
 use super::mistakes::Candidate;
-use super::model::{COMPUTING, TOGETHER, drawn_on};
+use super::model::{COMPUTING, LEANING, TOGETHER, drawn_on};
 use super::score::{Compared, Scorer, Walk};
 use crate::sheet::Sheet;
 
@@ -84,6 +84,11 @@ impl Hands<'_> {
                 self.consider(hand);
             }
         }
+        if !self.covariances.groups[LEANING].is_empty() {
+            let mut hand = self.hand;
+            hand.errors[LEANING] = 0.0;
+            self.consider(hand);
+        }
     }
 
     /// Goes on with a size for each kind of errors; only for drawings more exact than a hand's.
@@ -94,7 +99,7 @@ impl Hands<'_> {
         self.consider(program);
         for _ in 0..2 {
             let before = self.cost;
-            for group in 0..COMPUTING {
+            for group in 0..LEANING {
                 self.search_kind(group);
             }
             if self.cost > before - 1.0 {

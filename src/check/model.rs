@@ -26,8 +26,11 @@ pub(super) const fn drawn_on(sheet: Sheet) -> usize {
 /// The kind of errors of joints displaced together so that every link keeps its shape, as with a drawing program.
 pub(super) const TOGETHER: usize = 1 + Sheet::ALL.len();
 
+/// The kind of errors of angles of friction and of lines that touch circles of friction; whoever computes friction has none.
+pub(super) const LEANING: usize = TOGETHER + 1;
+
 /// The kind of slips in computed numbers.
-pub(super) const COMPUTING: usize = TOGETHER + 1;
+pub(super) const COMPUTING: usize = LEANING + 1;
 
 /// Number of kinds of errors; a hand has a size for each.
 pub(super) const GROUPS: usize = COMPUTING + 1;

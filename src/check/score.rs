@@ -10,7 +10,7 @@
 use super::covariance::{Covariances, Datum, Groups, Hand, read};
 use super::entry::Entry;
 use super::mistakes::{Candidate, Free};
-use super::model::{Changes, Model, TOGETHER, in_order};
+use super::model::{Changes, LEANING, Model, TOGETHER, in_order};
 use crate::construction::{Change, Tolerance};
 use crate::sheet::QuantityKind;
 use std::borrow::Cow;
@@ -145,12 +145,13 @@ impl<'a> Scorer<'a> {
     /// The variances of a value in a right drawing by kind of errors, at the tolerance.
     fn variances(&self, datum: usize) -> impl Iterator<Item = f64> {
         let diagonal = datum * (self.data.len() + 1);
-        self.nominal.groups.iter().map(move |group| group[diagonal])
+        self.nominal.groups.iter().map(move |group| group.get(diagonal).copied().unwrap_or_default())
     }
 
     /// The variance of a value in a right drawing by hand with errors at the tolerance.
     pub fn variance(&self, datum: usize) -> f64 {
-        self.variances(datum).take(TOGETHER).sum()
+        let is_by_hand = |(kind, variance): (usize, f64)| (kind < TOGETHER || kind == LEANING).then_some(variance);
+        self.variances(datum).enumerate().filter_map(is_by_hand).sum()
     }
 
     /// The standard deviation of a value in a right drawing by a hand, its rounding left out.

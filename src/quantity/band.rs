@@ -160,7 +160,7 @@ impl Hand<'_> {
         let friction = self.friction(&users);
         if let Some(Friction { rubbed, coming_round }) = &friction {
             for (joint, own) in rubbed.iter().enumerate() {
-                let (_, part) = own.drawn(self.scales, self.tolerance);
+                let part = own.drawn(self.scales, self.tolerance);
                 add(&mut squares, coming_round.of_joint(joint).iter().map(|slope| slope * part));
             }
         }

@@ -25,15 +25,14 @@ pub(crate) struct Rubbed {
 }
 
 impl Rubbed {
-    /// The sheet on which an angle of friction, or the line that touches a circle of friction, is drawn, and the part of the friction by which it is wrong for the
-    /// largest error of a hand there.
-    pub fn drawn(&self, scales: PerSheet<f64>, tolerance: &Tolerance) -> (Sheet, f64) {
+    /// The part of the friction by which it is wrong for the largest error of a hand that draws its angle, or a line that touches its circle.
+    pub fn drawn(&self, scales: PerSheet<f64>, tolerance: &Tolerance) -> f64 {
         let RubbedJoint { is_pin, grip, radius, .. } = self.joint;
         let (tangent, sine) = (grip.tangent(), grip.sine());
         match is_pin {
-            true => (Sheet::Scheme, tolerance.mm * scales[Sheet::Scheme] / (radius * sine)),
+            true => tolerance.mm * scales[Sheet::Scheme] / (radius * sine),
             // The derivative of ln tan φ is 1/(sin φ cos φ).
-            false => (Sheet::Forces, tolerance.degrees.to_radians() * tangent / (sine * sine)),
+            false => tolerance.degrees.to_radians() * tangent / (sine * sine),
         }
     }
 }
