@@ -225,17 +225,21 @@ impl<'a> Search<'a> {
     }
 
     /// The children that are compared completely: the likeliest of the catalogue, the likeliest with a fitted amount, and
-    /// what of the catalogue is done at the same operation as the first of these: where lines hardly cross, a first look
+    /// what of the catalogue is done at the same operation or in the same step as the first of these: where lines hardly cross, or an arm is short, a first look
     /// shows only fitted amounts.
     fn chosen<'t>(&self, children: Vec<Child<'t>>) -> Vec<Child<'t>> {
-        let fitted = children.iter().filter_map(|child| child.fitted.as_ref());
-        let places: Vec<usize> = fitted.take(PLACES).flat_map(Candidate::operations).collect();
+        let fitted: Vec<&Candidate> = children.iter().filter_map(|child| child.fitted.as_ref()).take(PLACES).collect();
+        let places: Vec<usize> = fitted.iter().flat_map(|fitted| fitted.operations()).collect();
+        let steps: Vec<usize> = fitted.iter().map(|fitted| fitted.step).collect();
+        let is_beside = |listed: &Candidate| {
+            steps.contains(&listed.step) || listed.operations().any(|operation| places.contains(&operation))
+        };
         let (mut listed, mut settled, mut beside) = (COMPARED, SETTLED, BESIDE);
         let mut take = |child: &Child<'t>| {
             let left = match child.fitted {
                 Some(_) => &mut settled,
                 None if listed > 0 => &mut listed,
-                None if self.pool[child.index].operations().any(|o| places.contains(&o)) => &mut beside,
+                None if is_beside(&self.pool[child.index]) => &mut beside,
                 None => return false,
             };
             let is_taken = *left > 0;

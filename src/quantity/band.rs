@@ -3,7 +3,8 @@
 use super::name::{QuantityError, QuantityRequest, step_names};
 use super::reading::{Reading, Sense, Unread, read_by_hand};
 use crate::construction::{
-    Change, ComingRound, Construction, Disturbance, NumberId, Operation, Rubbed, Solution, Tolerance, Values, pressing_off,
+    Change, ComingRound, Construction, Disturbance, NumberId, Operation, Rubbed, Solution, Tolerance, Values,
+    pressing_off,
 };
 use crate::geometry::{with_turns, without_sense};
 use crate::sheet::{PerSheet, Scales};
@@ -120,8 +121,14 @@ impl Construction {
             let errors = operation.kind.errors().iter().enumerate();
             errors.map(move |(which, error)| (index, which, error.limit(tolerance)))
         });
-        let hand =
-            Hand { construction: self, scales, tolerance, readings, errors: errors.collect(), exact: self.run(scales, &[]) };
+        let hand = Hand {
+            construction: self,
+            scales,
+            tolerance,
+            readings,
+            errors: errors.collect(),
+            exact: self.run(scales, &[]),
+        };
         let all = readings.iter().zip(hand.first_order());
         let bands = all.zip(hand.second_order());
         let bands = bands.map(|((reading, deviation), second_order)| {
