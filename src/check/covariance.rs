@@ -305,6 +305,32 @@ fn of_hands(effects: &mut Effects<'_>, tolerance: &Tolerance) -> Groups {
     groups
 }
 
+/// An error of a hand, and by how much its standard deviation at the tolerance changes the values.
+pub(super) struct ErrorEffect {
+    pub operation: usize,
+    pub which: usize,
+    /// Its standard deviation at the tolerance, in mm or degrees.
+    pub deviation: f64,
+    pub group: usize,
+    pub column: Vec<f64>,
+}
+
+/// All errors of hands with their effects on drawings with these changes.
+pub(super) fn effects_of_errors(
+    model: &Model,
+    tolerance: &Tolerance,
+    data: &[Datum],
+    variants: &Variants,
+) -> Vec<ErrorEffect> {
+    let mut effects = Effects::new(model, data, variants);
+    let effect = |(operation, which, limit, group)| {
+        let change = |_: &Values| Change::Error(which, STEP * limit);
+        let column = effects.of(operation, change, DEVIATION / STEP).to_vec();
+        ErrorEffect { operation, which, deviation: DEVIATION * limit, group, column }
+    };
+    model.errors(tolerance).into_iter().map(effect).collect()
+}
+
 /// Adds the effects of slips in computed numbers, and of those in turning millimetres into values.
 fn add_slips(group: &mut [f64], effects: &mut Effects<'_>) {
     let model = effects.model;

@@ -112,13 +112,23 @@ impl<'a> Scorer<'a> {
 
     /// By datum: the value that a drawing with the candidates' mistakes should have.
     pub fn predicted(&self, set: &[&Candidate]) -> Vec<f64> {
+        self.read_from(set, &self.variants(set))
+    }
+
+    /// The data read from these replays.
+    pub fn read_from(&self, set: &[&Candidate], variants: &[(Changes, Vec<usize>)]) -> Vec<f64> {
         let model = self.model(set);
         let mut predicted = vec![f64::NAN; self.data.len()];
-        for (changes, data) in self.variants(set) {
-            let values = model.replay(&changes);
-            read(model, &values, &self.data, &data, &mut predicted);
+        for (changes, data) in variants {
+            let values = model.replay(changes);
+            read(model, &values, &self.data, data, &mut predicted);
         }
         predicted
+    }
+
+    /// Whether there is friction that a hand may find in its drawing.
+    pub fn rubs(&self) -> bool {
+        !self.nominal.groups[LEANING].is_empty()
     }
 
     /// The covariances of the values of drawings with the candidates' mistakes.
@@ -200,7 +210,7 @@ impl<'a> Scorer<'a> {
     }
 
     /// The amounts of a set's edits that were fitted to the values.
-    fn free(set: &[&Candidate]) -> Vec<(Free, f64)> {
+    pub fn free(set: &[&Candidate]) -> Vec<(Free, f64)> {
         let fitted = set.iter().flat_map(|candidate| candidate.free.iter().zip(&candidate.edits));
         let amounts = fitted.filter_map(|(free, edit)| match edit.change {
             Change::Error(_, amount) | Change::Written(_, amount) => Some((*free, amount)),
@@ -283,6 +293,8 @@ pub(super) struct Walk {
     means: Vec<f64>,
     /// By value: whether it is unexplained.
     pub outside: Vec<bool>,
+    /// By value: by how much it is off what is predicted.
+    pub off: Vec<f64>,
 }
 
 impl Walk {
@@ -292,6 +304,7 @@ impl Walk {
             own: vec![1.0; count],
             means: vec![0.0; count],
             outside: vec![false; count],
+            off: vec![0.0; count],
         }
     }
 
@@ -306,6 +319,7 @@ impl Walk {
             let rounding = datum.variance();
             let variance = remaining(self.matrix[index * count + index], self.own[index] * rounding);
             let off = datum.off(compared.predicted[index], self.means[index]) - self.means[index];
+            self.off[index] = off + self.means[index];
             if !cost.add_deviate(off * off / variance, variance / rounding, &compared.without[index]) {
                 self.outside[index] = true;
                 continue;
