@@ -96,6 +96,7 @@ pub use polygon::{
 pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::{PlanVector, Teller};
 pub(crate) use solution::asked_construction;
+pub(crate) use solution::force_polygons;
 pub use solution::{Solution, construct};
 pub use speeds::{PitchCircle, SpeedDiagram, SpeedLine, SpeedSpot, SpeedStep, SpotName};
 pub use step::{
