@@ -95,7 +95,7 @@ impl About {
             size * size * told
         };
         let errors: Vec<f64> = self.effects.iter().map(likeliest).collect();
-        if errors.iter().any(|error| !(error.abs() <= LARGEST)) {
+        if !errors.iter().all(|error| error.abs() <= LARGEST) {
             return None;
         }
         let changes: Vec<Disturbance> = self
