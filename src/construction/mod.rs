@@ -88,11 +88,11 @@ pub use operation::{
     StepId,
 };
 pub use passage::{Aim, Passage};
+pub(crate) use polygon::{ComingRound, FoundForce, FoundNumbers, Rubbed, pressing_off};
 pub use polygon::{
     Corner, ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint, Polygon, Side,
     SideKind,
 };
-pub(crate) use polygon::{FoundForce, FoundNumbers};
 pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::{PlanVector, Teller};
 pub(crate) use solution::asked_construction;
