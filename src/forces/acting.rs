@@ -1,7 +1,7 @@
 //! What acts on the links besides their joints: weights, inertia, given forces and couples, springs.
 
 use super::{Counted, Posed};
-use crate::geometry::{Ball, Pair, Point, Solvable, quarter_turn, unit};
+use crate::geometry::{Ball, Pair, Point, Solvable, Vector, quarter_turn, unit};
 use crate::mechanism::{BodyId, GROUND, JointId, Mechanism, PointId, SliderId};
 use crate::position::Pose;
 use crate::scene::{
@@ -218,13 +218,18 @@ pub(crate) fn spring_ends(mechanism: &Mechanism, pose: &Pose) -> Vec<[(BodyId, P
     springs.into_iter().map(|spring| spring.ends.map(|(body, spot)| (body, spot.at(mechanism, pose, body)))).collect()
 }
 
-/// The places where loads act on links, and where springs end.
+/// The places where loads act on links and springs end, and the corners around the circles of friction.
 pub(crate) fn places_of_loads(mechanism: &Mechanism, pose: &Pose) -> Vec<Point> {
     let Some(list) = LoadList::new(mechanism) else { return Vec::new() };
     let masses = list.masses.iter().map(|mass| (mass.body, mass.center));
     let given = list.given.iter().map(|load| (load.body, load.at));
     let ends = list.springs.iter().flat_map(|spring| spring.ends);
-    masses.chain(given).chain(ends).map(|(body, spot)| spot.at(mechanism, pose, body)).collect()
+    let acting = masses.chain(given).chain(ends).map(|(body, spot)| spot.at(mechanism, pose, body));
+    let circles = friction_circles(mechanism).into_iter().flat_map(|(pin, radius)| {
+        let arm = Vector::new(radius, radius);
+        [pose.point(pin) - arm, pose.point(pin) + arm]
+    });
+    acting.chain(circles).collect()
 }
 
 /// The pins with friction, and the radii of their circles of friction, r sin φ.
