@@ -97,7 +97,7 @@ pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::{PlanVector, Teller};
 pub(crate) use solution::asked_construction;
 pub use solution::{Solution, construct};
-pub use speeds::{PitchCircle, SpeedDiagram, SpeedLine, SpeedSpot, SpeedStep, SpotName};
+pub use speeds::{BeltLine, PitchCircle, PitchLine, SpeedDiagram, SpeedLine, SpeedSpot, SpeedStep, SpotName};
 pub use step::{
     Action, Arrow, LegEquation, NOTHING, NumberedStep, Plan, PlanPoint, PointRole, RateEquation, Ray, RayOf, Relation,
     VectorOf, VectorPart, WheelEquation,

@@ -13,6 +13,7 @@ pub(super) mod sliders;
 mod values;
 mod wheels;
 
+pub(super) use rack::{hatch_line, tangents};
 pub(super) use sliders::{BLOCK, above};
 pub(super) use wheels::hatch_rim;
 
