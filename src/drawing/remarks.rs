@@ -8,7 +8,6 @@ use crate::construction::{FigureOf, contacts_told};
 use crate::cycle::{Centrode, Times, told_engagement};
 use crate::forces::Source;
 use crate::geometry::Place;
-use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use crate::words::{Medium, NumberStyle};
 
@@ -116,8 +115,7 @@ pub(super) fn sentence_on_paths(context: &SheetContext<'_>) -> Option<String> {
     let contacts = contacts_told(context.mechanism(), &context.words, &shown).into_iter();
     let off = context.solution.off_guides().map(|message| sentence(&context.words.language.says(&message)));
     let engaged = told_engagement(context.solution, &context.words, Medium::Figure);
-    let turned =
-        context.teller().turned_in_speeds(&shown).map(|said| format!("{}: {said}", context.sheet_name(Sheet::Speeds)));
+    let turned = context.teller().turned_in_speeds(&shown);
     let told = contacts.chain(off).chain(engaged).chain(friction(context)).chain(turned);
     let all = told.chain(ticks(context)).chain(centrodes(context)).chain(inflection(context));
     let all: Vec<String> = all.collect();

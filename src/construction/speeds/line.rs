@@ -150,7 +150,12 @@ impl Writer<'_> {
     /// The line of the centres of a pair, or that through a wheel's centre normal to its rack.
     fn line_of(&self, pair: &Pair<'_>) -> Option<Line> {
         let (from, way) = match pair.joint.rack {
-            Some(rack) => (self.pose.point(rack.center), self.to_rack(pair)?),
+            Some(rack) => {
+                let way = self.to_rack(pair)?;
+                // What is above in the mechanism is above in the diagram.
+                let is_down = way.y < 0.0 || (way.y == 0.0 && way.x < 0.0);
+                (self.pose.point(rack.center), if is_down { -way } else { way })
+            }
             None => {
                 let centers = pair.centers();
                 let [from, to] = [self.pose.point(centers[0]), self.pose.point(*centers.get(1)?)];

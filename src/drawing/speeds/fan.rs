@@ -70,9 +70,6 @@ impl DiagramOnPaper<'_> {
             together(marks.into_iter(), SHARED).into_iter().map(|(at, lines)| self.named(at, &lines)).collect();
         named.sort_by(|a, b| a.at.x.total_cmp(&b.at.x));
         self.names(canvas, &named);
-        canvas.step = self.steps.pole;
-        let unit = RichText::plain(&self.diagram.kind().unit(self.context.solution.scene.units));
-        canvas.ask("unit", LabelRequest::new(unit, base[1], 1.0, Some(Vec2::new(1.0, 0.0)), 1)).optional = true;
     }
 
     fn named(&self, at: Point, lines: &[(usize, u16)]) -> Named {
@@ -101,6 +98,7 @@ impl DiagramOnPaper<'_> {
             }
             return;
         };
+        self.unit(canvas, named, &places);
         for (own, x) in named.iter().zip(places) {
             canvas.step = own.step;
             let foot = own.at.y + TICK;
@@ -114,6 +112,25 @@ impl DiagramOnPaper<'_> {
                 let placed = PlacedText::new(text.clone(), LABEL, Point::new(left, y)).anchored(Anchor::Middle);
                 canvas.draw_named(&format!("label-{id}-{}", own.line), Pen::Label, Shape::Text(placed));
             }
+        }
+    }
+
+    /// The unit of the numbers before the first of them, or after the last.
+    fn unit(&self, canvas: &mut Canvas<'_>, named: &[Named], places: &[f64]) {
+        let ([first, .., last] | [first @ last], [low, .., high] | [low @ high]) = (named, places) else { return };
+        let unit = RichText::plain(&self.diagram.kind().unit(self.context.solution.scene.units));
+        let ink = unit.ink_box(LABEL);
+        let before = low - 0.5 * first.width() - LABEL - ink.x1;
+        let after = high + 0.5 * last.width() + BESIDE - ink.x0;
+        let y = first.at.y + TICK + DROP + HEIGHT + LINE;
+        let (room, widest) =
+            (canvas.room(), self.diagram.circles.iter().map(|circle| circle.radius).fold(0.0, f64::max));
+        let train = self.at(widest, 0.0).x + BESIDE;
+        let left = if before >= room.x0.max(train) { before } else { after };
+        if left + ink.x1 <= room.x1 {
+            canvas.step = self.steps.pole;
+            let placed = PlacedText::new(unit, LABEL, Point::new(left, y));
+            canvas.draw_named("label-unit", Pen::Label, Shape::Text(placed));
         }
     }
 }

@@ -249,7 +249,9 @@ impl DiagramOnPaper<'_> {
             let from = self.at(self.layout.zero, spot.height);
             let tip = self.view.at(self.layout.tip(index));
             let reach = if tip.x < from.x { tip } else { from };
-            canvas.draw(Pen::Construction, Shape::Line(self.at(0.0, spot.height), reach));
+            let rack = self.diagram.racks.iter().find(|rack| rack.height == spot.height);
+            let start = self.at(rack.map_or(0.0, |rack| rack.wheel[1]), spot.height);
+            canvas.draw(Pen::Construction, Shape::Line(start, reach));
             let name = spot.name.clone();
             if (tip - from).hypot() > SHARED {
                 canvas.draw_named(&format!("velocity-{name}"), Pen::Velocity, canvas.arrow(from, tip));
