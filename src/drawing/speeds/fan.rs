@@ -1,6 +1,7 @@
 //! The parallels through the pole, and what they cut off the base, with its names and numbers in one row.
 
 use super::{DiagramOnPaper, SHARED, TICK};
+use crate::construction::PitchCircle;
 use crate::drawing::canvas::Canvas;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::shape::Shape;
@@ -123,11 +124,17 @@ impl DiagramOnPaper<'_> {
         let before = low - 0.5 * first.width() - LABEL - ink.x1;
         let after = high + 0.5 * last.width() + BESIDE - ink.x0;
         let y = first.at.y + TICK + DROP + HEIGHT + LINE;
-        let (room, widest) =
-            (canvas.room(), self.diagram.circles.iter().map(|circle| circle.radius).fold(0.0, f64::max));
-        let train = self.at(widest, 0.0).x + BESIDE;
-        let left = if before >= room.x0.max(train) { before } else { after };
-        if left + ink.x1 <= room.x1 {
+        let room = canvas.room();
+        let is_clear = |left: &f64| {
+            let ink = ink + Vec2::new(*left, y);
+            let is_off = |circle: &PitchCircle| {
+                let center = self.at(0.0, circle.center);
+                let nearest = Point::new(center.x.clamp(ink.x0, ink.x1), center.y.clamp(ink.y0, ink.y1));
+                (nearest - center).hypot() > circle.radius / self.view.mu() + BELOW_MARK
+            };
+            ink.x0 >= room.x0 && ink.x1 <= room.x1 && self.diagram.circles.iter().all(is_off)
+        };
+        if let Some(left) = [before, after].into_iter().find(is_clear) {
             canvas.step = self.steps.pole;
             let placed = PlacedText::new(unit, LABEL, Point::new(left, y));
             canvas.draw_named("label-unit", Pen::Label, Shape::Text(placed));
