@@ -4,7 +4,9 @@
 use crate::gears::solution;
 use kinegon::Solution;
 use kinegon::construction::{SpeedLine, Tolerance};
-use kinegon::drawing::{Drawing, Point, Shape};
+use kinegon::cycle::Pull;
+use kinegon::drawing::{Drawing, HeldLayout, Pane, Point, Shape};
+use kinegon::geometry::direction_of_degrees;
 use kinegon::quantity::pencil;
 use serde_json::{Value, json};
 use support::files;
@@ -132,9 +134,9 @@ fn trains_that_bend_are_turned_onto_one_line() {
         let (mut at, mut ground, mut links) = ([0.0, 0.0], json!({}), json!({}));
         for (index, own) in teeth.iter().enumerate() {
             if index > 0 {
-                let way = dice.below(628) as f64 / 100.0;
+                let way = direction_of_degrees(dice.below(360) as f64);
                 let distance = (teeth[index - 1] + own) as f64;
-                at = [at[0] + distance * way.cos(), at[1] + distance * way.sin()];
+                at = [at[0] + distance * way.x, at[1] + distance * way.y];
             }
             ground[format!("C{index}")] = json!(at);
             links[(index + 1).to_string()] = json!([format!("C{index}")]);
@@ -167,7 +169,7 @@ fn planets_on_radial_arms_are_turned_onto_one_line() {
     let mut scene = planetary([40, 20], 4, 40);
     scene["links"]["1"] = json!({ "shape": { "A": 0, "B": 60, "K": [-33, 48] }, "drive": { "angle": 40, "omega": 4 } });
     scene["links"]["5"] = json!(["K"]);
-    let [distance, sun] = [f64::hypot(33.0, 48.0), 40.0];
+    let [distance, sun] = [f64::sqrt(33.0 * 33.0 + 48.0 * 48.0), 40.0];
     scene["gears"].as_array_mut().expect("gears").push(json!({ "mesh": ["3", "5"], "teeth": [40, 17], "on": "1" }));
     let solution = solution(&scene);
     let diagram = solution.construction.speeds.as_ref().expect("a diagram");
@@ -246,4 +248,35 @@ fn what_the_diagram_lacks_is_said() {
     assert!(bent.warnings().all(|text| !text.contains("line of centres")));
     let straight = solution(&template("gear-train", &json!(["scheme", "speeds"])));
     assert!(straight.warnings().all(|text| !text.contains("line of centres")));
+}
+
+/// While a mechanism plays on a telephone scales and the line from which velocities are laid off stand still, and nothing is cut off.
+#[test]
+fn nothing_jumps_while_a_rack_plays() {
+    for kind in ["rack-and-pinion", "planetary", "geared-five-bar", "differential"] {
+        let own = solution(&template(kind, &json!(["scheme", "speeds"])));
+        let telephone = Pane { width: 344.0, height: 420.0, letters: 12.0, words: false };
+        let mut layout = HeldLayout::of_cycle(&own, None, None, Some(telephone));
+        let mut pull = Pull::new(&own, None).expect("a drive");
+        let from = pull.value();
+        let mut scale = None;
+        for quarter in 0..4 {
+            let moved = own.moved(pull.to_value(from + 90.0 * f64::from(quarter)).pose).expect("it moves");
+            let drawing = layout.drag(&moved, None, None);
+            if let Ok(folder) = std::env::var("KINEGON_PICTURES_OF_SPEEDS") {
+                std::fs::write(format!("{folder}/{kind}-{quarter}.svg"), drawing.svg()).expect("written");
+            }
+            assert!(layout.panels(&drawing).iter().all(|panel| !panel.is_cut), "{kind} {quarter}: something is cut");
+            let diagram = moved.construction.speeds.as_ref().expect("a diagram");
+            for spot in diagram.spots.iter().filter(|spot| spot.velocity.abs() > 1.0) {
+                let id = format!("speeds-velocity-{}", spot.name);
+                let Some(mark) = drawing.marks.iter().find(|mark| mark.id.as_deref() == Some(&id)) else { continue };
+                let Shape::Arrow { from, to, .. } = mark.shape else { panic!("{:?}", mark.shape) };
+                let now = [(to.x - from.x) / spot.velocity, from.x];
+                let [length, zero] = *scale.get_or_insert(now);
+                assert!((now[0] - length).abs() < 1e-6 * length, "{kind} {quarter}: the scale of velocities jumps");
+                assert!((now[1] - zero).abs() < 1e-6, "{kind} {quarter}: velocities begin elsewhere");
+            }
+        }
+    }
 }
