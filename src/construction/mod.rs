@@ -88,14 +88,15 @@ pub use operation::{
     StepId,
 };
 pub use passage::{Aim, Passage};
+pub(crate) use polygon::{ComingRound, FoundForce, FoundNumbers, Rubbed, pressing_off};
 pub use polygon::{
     Corner, ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint, Polygon, Side,
     SideKind,
 };
-pub(crate) use polygon::{FoundForce, FoundNumbers};
 pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::{PlanVector, Teller};
 pub(crate) use solution::asked_construction;
+pub(crate) use solution::force_polygons;
 pub use solution::{Solution, construct};
 pub use speeds::{BeltLine, PitchCircle, PitchLine, SpeedDiagram, SpeedLine, SpeedSpot, SpeedStep, SpotName};
 pub use step::{

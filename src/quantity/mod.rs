@@ -22,11 +22,12 @@ pub mod says;
 mod turning;
 mod unit;
 mod value;
+mod ways;
 
 pub use crate::scene::{Component, Head, QuantityName};
 pub use crate::sheet::QuantityKind;
 pub use band::{Band, Pencil, pencil, step_pencil};
-pub use force_name::{ForceOf, LinePart, LoadOf, Towards, force_names};
+pub use force_name::{ArmPoint, ForceOf, LinePart, LoadOf, Towards, force_names};
 pub(crate) use forces::ForceRead;
 pub use forces::KeptForces;
 pub use name::{
@@ -36,3 +37,4 @@ pub use name::{
 pub use reading::{Reading, Sense, Unread, read_by_hand};
 pub use turning::turning_names;
 pub use value::{Quantity, Snapshot, State};
+pub use ways::Corners;

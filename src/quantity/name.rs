@@ -2,6 +2,7 @@
 
 use super::force_name::ForceOf;
 use super::says;
+use super::ways::Corners;
 use crate::Problem;
 use crate::centers::{LinkPair, Permanent};
 use crate::construction::{Construction, NumberedStep, Rate, Solution, coincident_name};
@@ -131,8 +132,8 @@ pub enum What {
     Part(AccelerationPart, Spot, Spot, Option<BodyId>),
     /// A segment of the plan of velocities or of accelerations, by the names of its ends.
     Segment(Order, [String; 2]),
-    /// What lies between two corners of a force polygon, by their names.
-    Corners([String; 2]),
+    /// What lies between two corners of a force polygon.
+    Corners(Corners),
     /// The place of a pole of the motion.
     Pole(Pole),
     /// The diameter of the inflection circle of a link, by its inflection pole.
@@ -240,14 +241,6 @@ impl QuantityRequest {
         Ok(())
     }
 
-    /// Refuses what has a meaning in one position alone: corners of force polygons, which are counted as they are drawn there.
-    pub(crate) fn check_everywhere(&self) -> Result<(), QuantityError> {
-        match self.what {
-            What::Corners(_) => Err(QuantityError::NoValue(self.name.clone(), says::corners_of_one_position())),
-            _ => Ok(()),
-        }
-    }
-
     /// Its name as it was asked for.
     #[must_use]
     pub fn name(&self) -> &str {
@@ -317,7 +310,7 @@ impl Finder<'_> {
                 }
                 None if sheet == Sheet::Forces => {
                     let second = second.ok_or_else(|| self.form())?;
-                    What::Corners([first, second].map(str::to_owned))
+                    What::Corners(Corners::new([first, second].map(str::to_owned)))
                 }
                 // Only segments of plans are known in millimetres of paper.
                 None if sheet == Sheet::Scheme && !on_paper => {
@@ -347,11 +340,12 @@ impl Finder<'_> {
             | Head::FrictionCouple
             | Head::CenterAcceleration
             | Head::LoadMoment
+            | Head::Arm
             | Head::Load
             | Head::Power
             | Head::Shaking
             | Head::ShakingMoment => {
-                What::Force(self.force(*head, first, second)?, Arc::new(Compiled::new(self.mechanism)))
+                What::Force(self.force(*head, arguments)?, Arc::new(Compiled::new(self.mechanism)))
             }
         })
     }

@@ -91,6 +91,8 @@ pub enum Head {
     CenterAcceleration,
     /// The moment of a load about a point.
     LoadMoment,
+    /// The arm of a force about a point, or about the crossing of the lines of two forces.
+    Arm,
     /// The force of a load.
     Load,
     /// The power of a load.
@@ -172,6 +174,7 @@ impl Head {
         (Head::FrictionCouple, "M_f", Argument::Point, QuantityKind::Moment),
         (Head::CenterAcceleration, "a_cm", Argument::Link, QuantityKind::Acceleration),
         (Head::LoadMoment, "moment", Argument::Load, QuantityKind::Moment),
+        (Head::Arm, "arm", Argument::Load, QuantityKind::Length),
         (Head::Load, "load", Argument::Load, QuantityKind::Force),
         (Head::Power, "power", Argument::Load, QuantityKind::Power),
         (Head::Shaking, "shaking", Argument::Nothing, QuantityKind::Force),
@@ -206,7 +209,7 @@ impl Head {
     pub fn argument(self, index: usize) -> Argument {
         match (self, index) {
             (Head::Reaction | Head::ReactionAlong | Head::ReactionAcross | Head::FrictionCouple, 1) => Argument::Link,
-            (Head::LoadMoment, 1) => Argument::Point,
+            (Head::LoadMoment | Head::Arm, 1) => Argument::Point,
             _ => self.facts().1,
         }
     }
@@ -230,13 +233,17 @@ impl Head {
             | Head::ReactionAlong
             | Head::ReactionAcross
             | Head::FrictionCouple
-            | Head::LoadMoment => Some(","),
+            | Head::LoadMoment
+            | Head::Arm => Some(","),
             _ => None,
         }
     }
 
     /// Its arguments, from what stands between a name's parentheses; `None` where a second one is missing.
     fn split(self, inner: &str) -> Option<Vec<&str>> {
+        if self == Head::Arm {
+            return several_outside(inner, ",").filter(|parts| matches!(parts.len(), 2 | 3));
+        }
         // Velocities and accelerations are against the frame, or against a second point or link.
         let may_be_one = matches!(self, Head::Omega | Head::Alpha | Head::Velocity | Head::Acceleration);
         let needs_two = self.separator().is_some() && !may_be_one;
@@ -252,6 +259,17 @@ fn split_outside<'t>(inner: &'t str, by: &str) -> Option<(&'t str, &'t str)> {
     let is_outside = |at: &usize| inner[..*at].matches('(').count() == inner[..*at].matches(')').count();
     let at = inner.match_indices(by).map(|(at, _)| at).find(is_outside)?;
     Some((&inner[..at], &inner[at + by.len()..]))
+}
+
+/// Splits at all separators that stand in no parentheses: `P,R_n(B,2),R_n(D,4)` into three.
+fn several_outside<'t>(inner: &'t str, by: &str) -> Option<Vec<&'t str>> {
+    let (mut parts, mut rest) = (Vec::new(), inner);
+    while let Some((part, others)) = split_outside(rest, by) {
+        parts.push(part);
+        rest = others;
+    }
+    parts.push(rest);
+    parts.iter().all(|part| !part.is_empty()).then_some(parts)
 }
 
 impl QuantityName {
@@ -307,7 +325,8 @@ impl QuantityName {
             | Head::InflectionDiameter
             | Head::AccelerationPole
             | Head::PathRadius
-            | Head::GuideOffset => true,
+            | Head::GuideOffset
+            | Head::Arm => true,
             // Forces hang on inertia.
             _ => matches!(
                 self.head.kind(),

@@ -4,7 +4,7 @@
 //!
 //! In reading order: `statics` (forces with their lines of action, arms, moments), `sides` (polygons, side by side), `leg` (the part of an
 //! outer joint's force that one link alone tells), `second`, `third` and `fourth` (groups of these classes), `wheels` (the force between teeth), `guides` (couples in guides), `drive`
-//! (driven links and sliders), `named` (the numbers and names of what is found), `corners` (the names of corners), `compared`, `told` (captions, symbols).
+//! (driven links and sliders), `named` (the numbers and names of what is found), `corners` (the names of corners), `arms` (those of arms), `rubbed` (friction by what is found), `compared`, `told` (captions, symbols).
 //!
 //! # One rule for pins and guides
 //!
@@ -16,6 +16,7 @@
 //! both outer joints and the lines of both closure links, by Ritter's moment. These lines are the cut lines of the velocity plan
 //! (O. Shai, G. R. Pennock, J. Mech. Des. 128, 2006).
 
+mod arms;
 mod compared;
 mod corners;
 mod drive;
@@ -23,6 +24,7 @@ mod fourth;
 mod guides;
 mod leg;
 mod named;
+mod rubbed;
 mod second;
 mod sides;
 mod statics;
@@ -31,16 +33,18 @@ mod told;
 mod wheels;
 
 use super::constructed::Agreement;
+use super::number::NumberId;
 use super::operation::PlaceId;
 use super::step::Action;
 use super::writer::Writer;
-use crate::forces::{Forces, Source, driven};
+use crate::forces::{Forces, RubbedJoint, Source, driven, rubbing};
 use crate::geometry::{Point, Vector};
 use crate::mechanism::{BodyId, Class, Group, JointId, PointId, SliderId};
 pub use corners::Corner;
 use indexmap::IndexMap;
 use named::WholeForce;
 pub(crate) use named::{FoundForce, FoundNumbers};
+pub(crate) use rubbed::{ComingRound, Rubbed, pressing_off};
 use statics::Statics;
 
 /// The force polygons of a mechanism, and the moments from which their sides follow.
@@ -57,6 +61,8 @@ pub struct ForcePlan {
     pub(super) joints: Vec<(JointId, BodyId, Option<[PlaceId; 2]>)>,
     /// What is found, as numbers of the construction.
     pub(crate) numbers: FoundNumbers,
+    /// The joints that rub.
+    pub(super) rubbing: Vec<RubbedJoint>,
     /// The corners of the polygons, by their names.
     pub(crate) corners: IndexMap<String, Corner>,
     /// How the forces from these polygons agree with those from the equations of equilibrium, in parts of the largest force.
@@ -198,6 +204,8 @@ pub struct ForceArm {
     pub line: [Point; 2],
     /// Its length.
     pub length: f64,
+    /// What is measured: the length with a sign, positive where the force turns counter-clockwise.
+    pub(crate) number: NumberId,
 }
 
 /// What a sum of moments tells.
@@ -256,6 +264,9 @@ pub(super) fn force_plan(writer: &mut Writer<'_>, computed: &Forces, has_polygon
         statics.compare();
         statics.name_all();
         statics.name_corners();
+        if statics.plan.loads.iter().any(|load| matches!(load.source, Source::Friction(_))) {
+            statics.plan.rubbing = rubbing(mechanism);
+        }
     }
     let plan = statics.plan;
     writer.construction.forces = Some(Box::new(plan));
