@@ -65,13 +65,13 @@ fn heights(diagram: &SpeedDiagram) -> [f64; 2] {
     [reach(-1.0).fold(0.0, f64::min), high]
 }
 
-/// The largest of 1, 2, 5 · 10^k that is not larger; 1 where anything fits.
+/// The largest of 1, 2, 2.5, 4, 5 · 10^k that is not larger; 1 where anything fits.
 fn round_below(most: f64) -> f64 {
     if !(most > 0.0 && most.is_finite()) {
         return 1.0;
     }
     let decade = libm::pow(10.0, libm::floor(libm::log10(most)));
-    [5.0, 2.0].into_iter().map(|part| part * decade).find(|value| *value <= most).unwrap_or(decade)
+    [5.0, 4.0, 2.5, 2.0].into_iter().map(|part| part * decade).find(|value| *value <= most).unwrap_or(decade)
 }
 
 /// Where things are in the panel, in units of length: the line of centres is upright at x = 0.
