@@ -56,6 +56,7 @@ solve_wheel = Die Gleichung der gemessenen Strecke nach {$unknowns} auflösen.
 solve_wheel_with_mesh = Die Gleichung der gemessenen Strecke nach {$unknowns} auflösen; die Gleichung der Zähne muss dasselbe ergeben.
 solve_meshes = Die Gleichungen der Zähne nach {$unknowns} auflösen.
 solve_meshes_accelerated = Die Gleichungen der Zähne nach {$unknowns} auflösen: Wo Räder sich berühren, sind die Tangentialanteile ihrer Beschleunigungen gleich, nicht die ganzen.
+solve_rims = Räder haben mit dem, was sie berühren, und mit ihrem Riemen eine Geschwindigkeit; die Gleichungen dafür ergeben {$unknowns}.
 pitch_at_rest = Dort berührt es ein festes Rad: {$image} liegt in {$with}.
 lay_off_pitch = Mit ω_{$link}: Die Geschwindigkeit von {$point} relativ zu {$from} normal zu {$arm} antragen; dort haben beide Räder dieselbe.
 lay_off_pitch_turned = Mit ω_{$link}: Die Geschwindigkeit von {$point} relativ zu {$from}, gedreht, längs {$arm} antragen; dort haben beide Räder dieselbe.
@@ -156,8 +157,13 @@ speeds_given = Die Geschwindigkeiten von {$from} und {$to} abtragen: alle Geschw
 speeds_line = {$from} und {$to} haben Geschwindigkeiten, die schon da sind: die von {$link} enden auf der Geraden durch ihre Spitzen.
 speeds_pole = Einen Punkt o wählen und darunter eine Grundlinie, in dem Abstand, der den Maßstab der Winkelgeschwindigkeiten rund macht.
 speeds_ray = Die Parallele durch o zur Geraden von {$link} schneidet {$rate} auf der Grundlinie ab.
-speeds_none = es gibt keinen Kutzbachplan: keine zwei Räder kämmen
-speeds_left_out = der Kutzbachplan gilt für die Mittenlinie durch {$line}; die Mittelpunkte der Räder bei {$meshes} liegen auf einer anderen Geraden
+speeds_slides = {$link} gleitet: alle Punkte davon haben die Geschwindigkeit von {$at}.
+speeds_slides_given = Die Geschwindigkeit von {$at} abtragen: {$link} gleitet, und alle Punkte davon haben sie.
+speeds_belt = Der Riemen gibt beiden Scheiben eine Umfangsgeschwindigkeit: {$to} hat die Geschwindigkeit von {$from}.
+speeds_turned = Im Kutzbachplan sind Mittelpunkte neben der Linie auf sie gedreht, wobei Abstände und Geschwindigkeiten bleiben: {$points}.
+speeds_unsized_belt = im Kutzbachplan fehlt der Riemen von {$first} und {$second}: wie groß seine Scheiben sind, ist nicht bekannt; `radius` angeben
+speeds_none = es gibt keinen Kutzbachplan: keine zwei Räder kämmen oder haben einen Riemen, und keines rollt auf einer Zahnstange
+speeds_left_out = der Kutzbachplan gilt für die Mittenlinie durch {$line}; was sich in {$meshes} berührt, liegt auf einer anderen Geraden und lässt sich nicht auf sie drehen
 
 # The figure.
 
@@ -1001,6 +1007,7 @@ scene-let_rack_slide = geben Sie einen Schieber mit der Zahnstange auf dem Steg 
 scene-teeth_of_pinion = geben Sie eine ganze Zahl von 1 bis {$most} an: Ein Rad auf einer Zahnstange hat seine Zähne außen
 scene-no_radius = {$radius} ist kein Radius
 scene-give_radius = geben Sie den Radius des Wälzkreises an, eine Länge über 0
+scene-give_larger_radius = geben Sie den Radius des Wälzkreises an, in der Längeneinheit der Szene und nicht unter {$least}
 scene-radius_without_rack = `radius` gehört zu einem Rad auf einer Zahnstange oder mit einem Riemen: Andere Räder haben ihre Radien vom Abstand ihrer Mitten
 scene-position_without_rack = `position` gehört zu einem Rad auf einer Zahnstange
 scene-give_phase = der Winkel eines Rads gegen ein anderes ist `phase`

@@ -60,6 +60,7 @@ solve_wheel = Solve the equation of the measured segment for {$unknowns}.
 solve_wheel_with_mesh = Solve the equation of the measured segment for {$unknowns}; the equation of the teeth must give the same.
 solve_meshes = Solve the equations of the teeth for {$unknowns}.
 solve_meshes_accelerated = Solve the equations of the teeth for {$unknowns}: where wheels touch, the tangential parts of their accelerations are equal, not the whole ones.
+solve_rims = Wheels have one speed with what they touch, and with their belt; the equations of that give {$unknowns}.
 pitch_at_rest = It touches a wheel that is fixed: {$image} is at {$with}.
 lay_off_pitch = From ω_{$link}: lay off the velocity of {$point} relative to {$from}, normal to {$arm}; there both wheels have one velocity.
 lay_off_pitch_turned = From ω_{$link}: lay off the velocity of {$point} relative to {$from}, turned, along {$arm}; there both wheels have one velocity.
@@ -162,8 +163,13 @@ speeds_given = Lay off the velocities of {$from} and {$to}: all velocities of {$
 speeds_line = {$from} and {$to} have velocities that are there: those of {$link} end on the line through their tips.
 speeds_pole = Choose a point o and a base below it, at the distance that makes the scale of angular velocities round.
 speeds_ray = The parallel through o to the line of {$link} cuts {$rate} off the base.
-speeds_none = there is no speed diagram: no two wheels mesh
-speeds_left_out = the speed diagram is that of the line of centres through {$line}; the centres of the wheels at {$meshes} lie on another line
+speeds_slides = {$link} slides: all its points have the velocity of {$at}.
+speeds_slides_given = Lay off the velocity of {$at}: {$link} slides, and all its points have it.
+speeds_belt = The belt gives both rims one speed: {$to} has the velocity of {$from}.
+speeds_turned = In the speed diagram centres that lie off the line are turned onto it, where distances and speeds stay as they are: {$points}.
+speeds_unsized_belt = the speed diagram leaves out the belt of {$first} and {$second}: how large its wheels are is not known; give its `radius`
+speeds_none = there is no speed diagram: no two wheels mesh or have a belt, and none rolls on a rack
+speeds_left_out = the speed diagram is that of the line of centres through {$line}; what touches at {$meshes} lies on another line and cannot be turned onto it
 
 # The figure.
 
@@ -1031,6 +1037,7 @@ scene-let_rack_slide = give a slider with the rack on the carrier, or with the c
 scene-teeth_of_pinion = give a whole number from 1 to {$most}: a wheel on a rack has its teeth outside
 scene-no_radius = {$radius} is no radius
 scene-give_radius = give the radius of the wheel's pitch circle, a length above 0
+scene-give_larger_radius = give the radius of the wheel's pitch circle, in the scene's unit of length and not below {$least}
 scene-radius_without_rack = `radius` belongs to a wheel on a rack or with a belt: other wheels have their radii from the distance of their centres
 scene-position_without_rack = `position` belongs to a wheel on a rack
 scene-give_phase = the angle of one wheel against another is `phase`

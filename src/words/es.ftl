@@ -54,6 +54,7 @@ solve_wheel = Resolver la ecuación del segmento medido para {$unknowns}.
 solve_wheel_with_mesh = Resolver la ecuación del segmento medido para {$unknowns}; la ecuación de los dientes debe dar lo mismo.
 solve_meshes = Resolver las ecuaciones de los dientes para {$unknowns}.
 solve_meshes_accelerated = Resolver las ecuaciones de los dientes para {$unknowns}: donde las ruedas se tocan son iguales las partes tangenciales de sus aceleraciones, no las aceleraciones enteras.
+solve_rims = Las ruedas tienen una misma velocidad con lo que tocan y con su correa; esas ecuaciones dan {$unknowns}.
 pitch_at_rest = Ahí toca una rueda fija: {$image} está en {$with}.
 lay_off_pitch = Con ω_{$link}: trazar la velocidad de {$point} relativa a {$from}, normal a {$arm}; ahí ambas ruedas tienen la misma.
 lay_off_pitch_turned = Con ω_{$link}: trazar la velocidad de {$point} relativa a {$from}, girada, a lo largo de {$arm}; ahí ambas ruedas tienen la misma.
@@ -154,8 +155,13 @@ speeds_given = Se llevan las velocidades de {$from} y {$to}: todas las velocidad
 speeds_line = {$from} y {$to} tienen velocidades ya conocidas: las de {$link} terminan en la recta por sus extremos.
 speeds_pole = Se elige un punto o y una base debajo, a la distancia que hace redonda la escala de velocidades angulares.
 speeds_ray = La paralela por o a la recta de {$link} corta {$rate} en la base.
-speeds_none = no hay diagrama de Kutzbach: no engranan dos ruedas
-speeds_left_out = el diagrama de Kutzbach es el de la línea de centros por {$line}; los centros de las ruedas de {$meshes} están en otra recta
+speeds_slides = {$link} se desliza: todos sus puntos tienen la velocidad de {$at}.
+speeds_slides_given = Se lleva la velocidad de {$at}: {$link} se desliza, y todos sus puntos la tienen.
+speeds_belt = La correa da a ambas llantas una misma velocidad: {$to} tiene la velocidad de {$from}.
+speeds_turned = En el diagrama de Kutzbach los centros fuera de la línea se giran hasta ella; distancias y velocidades no cambian: {$points}.
+speeds_unsized_belt = el diagrama de Kutzbach omite la correa de {$first} y {$second}: no se sabe cómo son de grandes sus ruedas; indique su `radius`
+speeds_none = no hay diagrama de Kutzbach: no engranan dos ruedas ni llevan correa, y ninguna rueda sobre una cremallera
+speeds_left_out = el diagrama de Kutzbach es el de la línea de centros por {$line}; lo que se toca en {$meshes} está en otra recta y no se puede girar hasta ella
 
 # The figure.
 
@@ -999,6 +1005,7 @@ scene-let_rack_slide = dé una corredera con la cremallera sobre el portador, o 
 scene-teeth_of_pinion = dé un número entero de 1 a {$most}: una rueda sobre una cremallera tiene los dientes por fuera
 scene-no_radius = {$radius} no es un radio
 scene-give_radius = dé el radio de la circunferencia primitiva, una longitud mayor que 0
+scene-give_larger_radius = dé el radio de la circunferencia primitiva, en la unidad de longitud de la escena y no menor que {$least}
 scene-radius_without_rack = `radius` es de una rueda sobre una cremallera o con una correa: otras ruedas tienen sus radios por la distancia entre centros
 scene-position_without_rack = `position` es de una rueda sobre una cremallera
 scene-give_phase = el ángulo de una rueda respecto a otra es `phase`

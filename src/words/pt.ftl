@@ -56,6 +56,7 @@ solve_wheel = Resolver a equação do segmento medido para {$unknowns}.
 solve_wheel_with_mesh = Resolver a equação do segmento medido para {$unknowns}; a equação dos dentes deve dar o mesmo.
 solve_meshes = Resolver as equações dos dentes para {$unknowns}.
 solve_meshes_accelerated = Resolver as equações dos dentes para {$unknowns}: onde as rodas se tocam são iguais as partes tangenciais das suas acelerações, não as acelerações inteiras.
+solve_rims = As rodas têm a mesma velocidade que aquilo em que tocam e que a sua correia; essas equações dão {$unknowns}.
 pitch_at_rest = Ali toca uma roda fixa: {$image} está em {$with}.
 lay_off_pitch = Com ω_{$link}: traçar a velocidade de {$point} relativa a {$from}, normal a {$arm}; ali ambas as rodas têm a mesma.
 lay_off_pitch_turned = Com ω_{$link}: traçar a velocidade de {$point} relativa a {$from}, girada, ao longo de {$arm}; ali ambas as rodas têm a mesma.
@@ -156,8 +157,13 @@ speeds_given = Marcam-se as velocidades de {$from} e {$to}: todas as velocidades
 speeds_line = {$from} e {$to} têm velocidades já conhecidas: as de {$link} terminam na reta pelas suas pontas.
 speeds_pole = Escolhe-se um ponto o e uma base por baixo, à distância que torna redonda a escala das velocidades angulares.
 speeds_ray = A paralela por o à reta de {$link} corta {$rate} na base.
-speeds_none = não há diagrama de Kutzbach: não há duas rodas que engrenem
-speeds_left_out = o diagrama de Kutzbach é o da linha dos centros por {$line}; os centros das rodas em {$meshes} estão noutra reta
+speeds_slides = {$link} desliza: todos os seus pontos têm a velocidade de {$at}.
+speeds_slides_given = Marca-se a velocidade de {$at}: {$link} desliza, e todos os seus pontos a têm.
+speeds_belt = A correia dá às duas rodas a mesma velocidade periférica: {$to} tem a velocidade de {$from}.
+speeds_turned = No diagrama de Kutzbach os centros fora da linha são rodados até ela, e distâncias e velocidades ficam como estão: {$points}.
+speeds_unsized_belt = o diagrama de Kutzbach deixa de fora a correia de {$first} e {$second}: não se sabe o tamanho das suas rodas; indique o seu `radius`
+speeds_none = não há diagrama de Kutzbach: não há duas rodas que engrenem ou tenham correia, e nenhuma rola sobre uma cremalheira
+speeds_left_out = o diagrama de Kutzbach é o da linha dos centros por {$line}; o que se toca em {$meshes} está noutra reta e não se pode rodar até ela
 
 # The figure.
 
@@ -1001,6 +1007,7 @@ scene-let_rack_slide = dê um cursor com a cremalheira sobre o portador, ou com 
 scene-teeth_of_pinion = dê um número inteiro de 1 a {$most}: uma roda sobre uma cremalheira tem os dentes por fora
 scene-no_radius = {$radius} não é um raio
 scene-give_radius = dê o raio da circunferência primitiva, um comprimento acima de 0
+scene-give_larger_radius = dê o raio da circunferência primitiva, na unidade de comprimento da cena e não inferior a {$least}
 scene-radius_without_rack = `radius` é de uma roda sobre uma cremalheira ou com uma correia: outras rodas têm seus raios pela distância entre centros
 scene-position_without_rack = `position` é de uma roda sobre uma cremalheira
 scene-give_phase = o ângulo de uma roda em relação a outra é `phase`
