@@ -6,6 +6,7 @@ use super::dims::Dims;
 use super::held_layout::Pane;
 use super::scheme::on_paper::outline;
 use super::scheme::sliders::{BLOCK, block_corners, ground_line, ground_piece, pivot, slot, slot_outline};
+use super::scheme::springs::{SpringEnd, spring};
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::text::CAPTION;
@@ -90,6 +91,14 @@ impl OnSheet<'_> {
             if point.is_fixed {
                 self.support(canvas, name, self.view.at(point.at));
             }
+        }
+        for (index, own) in self.draft.springs.iter().enumerate() {
+            let ends = own.ends.each_ref().map(|(on, place)| {
+                let at = self.view.at(*place);
+                let points = self.draft.places_on(on).map(|point| self.view.at(point));
+                (at, SpringEnd::at(at, points, on == "ground"))
+            });
+            spring(canvas, &format!("spring-{}", index + 1), ends);
         }
         for link in &self.draft.links {
             self.link(canvas, link);

@@ -23,6 +23,8 @@ pub struct Draft {
     pub circles: Vec<DraftCircle>,
     /// The forces and couples.
     pub loads: Vec<DraftLoad>,
+    /// The springs.
+    pub springs: Vec<DraftSpring>,
     /// Whether the scene can be solved for its position.
     pub is_complete: bool,
 }
@@ -80,6 +82,13 @@ pub struct DraftCircle {
     pub radius: f64,
 }
 
+/// A spring of a [`Draft`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct DraftSpring {
+    /// Its ends in the fixed frame, each with the link or `ground` that it is fixed to.
+    pub ends: [(String, Point); 2],
+}
+
 /// A force or a couple of a [`Draft`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct DraftLoad {
@@ -128,6 +137,7 @@ impl Draft {
             sliders: sliders.collect(),
             circles: sketch.circles(),
             loads: sketch.loads(),
+            springs: sketch.springs(),
             is_complete: present.solved().is_some(),
         })
     }

@@ -2,7 +2,7 @@
 
 use serde_json::Value as Json;
 
-use super::draft::{DraftCircle, DraftLoad, Sketch};
+use super::draft::{DraftCircle, DraftLoad, DraftSpring, Sketch};
 use super::present::two_numbers;
 use crate::geometry::{Point, Turn, Vector, direction_of_degrees};
 use crate::scene::LoadNames;
@@ -85,6 +85,19 @@ impl Sketch {
         })
     }
 
+    /// The springs whose ends are known, in the order of the text.
+    pub(super) fn springs(&self) -> Vec<DraftSpring> {
+        let end = |end: &Json| {
+            let on = end[0].as_str()?;
+            Some((on.to_owned(), self.place_on(on, &end[1])?))
+        };
+        let spring = |spring: &Json| {
+            let [first, second] = [0, 1].map(|side| end(&spring["between"][side]));
+            Some(DraftSpring { ends: [first?, second?] })
+        };
+        self.scene["springs"].as_array().into_iter().flatten().filter_map(spring).collect()
+    }
+
     /// The turn of a link's own axis.
     fn own(&self, link: &str) -> Option<Turn> {
         let axis = self.axis(link)?;
@@ -101,7 +114,7 @@ impl Sketch {
                 let sum = known.iter().fold(Vector::zeros(), |sum, place| sum + place.coords);
                 return (!known.is_empty()).then(|| Point::from(sum / known.len() as f64));
             }
-            Json::Array(_) if self.names.drawn.is_some() => return two_numbers(at),
+            Json::Array(_) if link == "ground" || self.names.drawn.is_some() => return two_numbers(at),
             Json::Array(_) => two_numbers(at)?,
             _ => Point::new(at.as_f64()?, 0.0),
         };

@@ -33,7 +33,7 @@ pub mod says;
 mod tables;
 
 pub use add::{Along, NewLink, NewPoint, NewSlider, PlacedPoint, blank};
-pub use draft::{Draft, DraftCircle, DraftGuide, DraftLink, DraftLoad, DraftPoint, DraftSlider};
+pub use draft::{Draft, DraftCircle, DraftGuide, DraftLink, DraftLoad, DraftPoint, DraftSlider, DraftSpring};
 pub use names::Named;
 pub use placed::{apply_in_place, with_places};
 pub use position::{with_mode, with_position};

@@ -110,6 +110,31 @@ fn loads_stand_where_they_act() {
     }
 }
 
+/// On the ground a place is where it is, on a link it counts along its axis from its first point.
+#[test]
+fn springs_reach_from_end_to_end() {
+    let springs = r#""springs": [
+    { "between": [["1", [10, 5]], ["ground", [-50, 60]]], "rate": 1, "length": 20 },
+    { "between": [["3", "C"], ["ground", "A"]], "rate": 1, "length": 20 },
+    { "between": [["9", "C"], ["ground", "A"]], "rate": 1, "length": 20 }, {}, 3
+  ],
+  "near""#;
+    let text = files::read("templates/slider-crank.json").replacen("\"near\"", springs, 1);
+    let draft_of = Draft::of(&text).expect("JSON");
+    let [a, b, c] = ["A", "B", "C"].map(|point| draft_of.points[point].at);
+    let [ends, at_points] = draft_of.springs.as_slice() else {
+        panic!("two springs have known ends: {:?}", draft_of.springs)
+    };
+    let along = (b - a).normalize();
+    let place = a + along * 10.0 + kinegon::geometry::quarter_turn(along) * 5.0;
+    assert!((ends.ends[0].1 - place).norm() < 1e-9 && ends.ends[1].1 == [-50.0, 60.0].into(), "{ends:?}");
+    assert_eq!(at_points.ends.each_ref().map(|(_, at)| *at), [c, a]);
+    let drawing = drawn(&text, [80.0, 20.0], 3.0);
+    let zigzags =
+        drawing.marks.iter().filter(|mark| mark.id.as_deref().is_some_and(|id| id.starts_with("build-spring-")));
+    assert_eq!(zigzags.count(), 2);
+}
+
 #[test]
 fn any_text_is_drawn_without_a_fault() {
     for text in [

@@ -10,7 +10,7 @@ pub(super) mod on_paper;
 mod points;
 mod rack;
 pub(super) mod sliders;
-mod springs;
+pub(super) mod springs;
 mod values;
 mod wheels;
 

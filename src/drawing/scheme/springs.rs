@@ -8,7 +8,7 @@ use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
 use crate::drawing::view::towards;
 use crate::forces::spring_ends;
-use crate::mechanism::{BodyId, GROUND};
+use crate::mechanism::GROUND;
 use kurbo::{Point, Vec2};
 
 /// Strokes of the zigzag, and half its width in mm.
@@ -20,38 +20,60 @@ const MOST_STRAIGHT: f64 = 0.25;
 /// Ends closer than this to a point of the mechanism, in mm, are at that point.
 const AT_POINT: f64 = 0.3;
 
+/// What an end of a spring is fixed to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::drawing) enum SpringEnd {
+    /// A point of the mechanism, which is drawn by itself.
+    Point,
+    /// Another place of a link: an eye.
+    Link,
+    /// Another place of the frame: an eye on a pivot's foot.
+    Ground,
+}
+
+impl SpringEnd {
+    /// That of an end at a place of a body with these points.
+    pub(in crate::drawing) fn at(place: Point, mut points: impl Iterator<Item = Point>, is_ground: bool) -> SpringEnd {
+        if points.any(|point| (point - place).hypot() < AT_POINT) {
+            return SpringEnd::Point;
+        }
+        if is_ground { SpringEnd::Ground } else { SpringEnd::Link }
+    }
+}
+
+/// Draws a spring between two places.
+pub(in crate::drawing) fn spring(canvas: &mut Canvas<'_>, name: &str, ends: [(Point, SpringEnd); 2]) {
+    canvas.draw_named(name, Pen::Slider, Shape::Polyline(zigzag(ends.map(|(at, _)| at))));
+    for (center, end) in ends {
+        if end == SpringEnd::Ground {
+            pivot(canvas, center, Vec2::new(0.0, 1.0));
+        }
+        if end != SpringEnd::Point {
+            canvas.draw(Pen::Joint, Shape::Circle { center, radius: canvas.dims.joint });
+        }
+    }
+}
+
 impl SchemeOnPaper<'_> {
     /// Draws the springs; their names where no force of theirs has one.
     pub(super) fn springs(&self, canvas: &mut Canvas<'_>) {
         let Some(loads) = self.mechanism.loads.as_deref() else { return };
         canvas.step = 0;
         let has_forces = self.context.construction().forces.is_some();
-        for (spring, ends) in loads.0.springs.iter().zip(spring_ends(self.mechanism, self.pose)) {
-            let places = ends.map(|(_, place)| self.view.at(place));
-            let zigzag = zigzag(places);
-            canvas.draw_named(&format!("spring-{}", spring.name), Pen::Slider, Shape::Polyline(zigzag));
-            for ((body, _), at) in ends.into_iter().zip(places) {
-                self.spring_end(canvas, body, at);
-            }
+        for (own, ends) in loads.0.springs.iter().zip(spring_ends(self.mechanism, self.pose)) {
+            let ends = ends.map(|(body, place)| {
+                let at = self.view.at(place);
+                let points = self.mechanism.body(body).points.iter().map(|&point| self.at(point));
+                (at, SpringEnd::at(at, points, body == GROUND))
+            });
+            spring(canvas, &format!("spring-{}", own.name), ends);
             if !has_forces {
-                let along = towards(places[0], places[1], Vec2::new(1.0, 0.0));
+                let [from, to] = ends.map(|(at, _)| at);
+                let along = towards(from, to, Vec2::new(1.0, 0.0));
                 let beside = Some(Vec2::new(-along.y, along.x));
-                let middle = places[0].midpoint(places[1]);
-                canvas.label(&spring.name, &display(&spring.name), middle, HALF + 0.8, beside, 2);
+                canvas.label(&own.name, &display(&own.name), from.midpoint(to), HALF + 0.8, beside, 2);
             }
         }
-    }
-
-    /// The eye at an end that is at no point of the mechanism; on the frame with a pivot's foot.
-    fn spring_end(&self, canvas: &mut Canvas<'_>, body: BodyId, at: Point) {
-        let is_at_point = |point: &_| (self.at(*point) - at).hypot() < AT_POINT;
-        if self.mechanism.body(body).points.iter().any(is_at_point) {
-            return;
-        }
-        if body == GROUND {
-            pivot(canvas, at, Vec2::new(0.0, 1.0));
-        }
-        canvas.draw(Pen::Joint, Shape::Circle { center: at, radius: self.dims().joint });
     }
 }
 
