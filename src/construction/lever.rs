@@ -6,8 +6,9 @@
 use super::markup::{Formula, rate_symbol};
 use super::number::{Equation, NumberId, NumberKind, Product, ProductKind, Rate};
 use super::operation::{Along, MeasuredAs, OperationKind, OperationRole, PlaceId};
+use super::plan::NOTHING;
 use super::sentence::Teller;
-use super::step::{Action, NOTHING};
+use super::step::Action;
 use super::writer::Writer;
 use crate::forces::{Driven, Forces, lever_states};
 use crate::geometry::{Ball, Number, Pair, Point, Vector, unit};

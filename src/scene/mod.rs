@@ -27,6 +27,7 @@ mod loads;
 mod name;
 mod names;
 mod over;
+mod page;
 mod points;
 mod quantity_name;
 mod read;
@@ -36,6 +37,7 @@ pub mod says;
 mod schema;
 mod text;
 mod typed;
+mod units;
 mod value;
 mod write;
 
@@ -44,9 +46,8 @@ pub use build_contacts::Profiles;
 pub use build_loads::{NewLoad, NewSpring};
 pub use centers::CentersShown;
 pub use choices::{
-    CenterName, ConstructionShown, CoriolisName, DecimalMark, ForceUnit, FrameName, LanguageName, LengthUnit, MassUnit,
-    Measure, NotationName, Page, PageSize, ScalesFor, Sizes, SlidingName, StyleName, TimeUnit, TurnedName, Units,
-    ValuesShown,
+    CenterName, ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, NotationName, ScalesFor,
+    SlidingName, StyleName, TurnedName, ValuesShown,
 };
 pub use error::{Place, SceneError};
 pub use figure::Figure;
@@ -57,6 +58,7 @@ pub use kinds::Kind;
 pub use link::{Length, Link, Shape};
 pub use loads::{Amount, Analysis, LinkPlace, Load, Loads, Mass, Spring, SpringEnd};
 pub use over::{Gauge, Over};
+pub use page::{Measure, Page, PageSize, Sizes};
 pub use points::Near;
 pub use quantity_name::{Argument, Component, Head, QuantityName};
 pub(crate) use read::MOST_MARKS;
@@ -64,6 +66,7 @@ pub use read::{Scene, SizeLimit};
 #[doc(hidden)] // for tests
 pub use read::{folded, signs};
 pub use text::MAX_BYTES;
+pub use units::{ForceUnit, LengthUnit, MassUnit, TimeUnit, Units};
 pub use value::{At, Direction, polar};
 
 pub(crate) use error::{close, list, nearest, nearest_within, range_of};

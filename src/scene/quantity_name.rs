@@ -1,7 +1,7 @@
 //! The name of a quantity taken apart, as `vplan(b,s3)/mu`: what it asks for, of which links, sliders and points, and of
 //! what kind its value is. It is read here and nowhere else; whether the scene has these links and points, `quantity` knows.
 
-use super::choices::{ForceUnit, Units};
+use super::units::{ForceUnit, Units};
 use crate::sheet::{QuantityKind, Sheet};
 use std::fmt;
 
