@@ -2,7 +2,7 @@
 //! must go through the point for which it is used.
 
 use super::bench::{Bench, Found, is_size_of_force};
-use super::file::{Compute, Cross, Entry, LayOff, Line, Measure, Solve};
+use super::entry::{Compute, Cross, Entry, LayOff, Line, Measure, Solve};
 use super::formula::Formula;
 use super::says;
 use super::table::{DrawnLine, Made, Table};

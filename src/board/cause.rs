@@ -1,7 +1,7 @@
 //! What a hand probably did where an operation is wrong: the same operation in the catalogue of mistakes of the check; and where a
 //! construction leads that goes on with the hand's own things.
 
-use super::file::{Compute, Entry, LayOff};
+use super::entry::{Compute, Entry, LayOff};
 use super::judge::Judge;
 use super::table::{Made, Table};
 use crate::check::replayed::{Replayed, Touched};

@@ -3,7 +3,7 @@
 use super::alone::Held;
 use super::bench::Bench;
 use super::direction::Direction;
-use super::file::{Compute, Cross, Entry, Join, Line};
+use super::entry::{Compute, Cross, Entry, Join, Line};
 use super::given::Given;
 use super::reads::is_center;
 use super::slips::Slip;

@@ -3,7 +3,7 @@
 use super::alone::Held;
 use super::bench::{Bench, Found};
 use super::direction::Direction;
-use super::file::{Cross, Entry, LayOff, Line, Measure};
+use super::entry::{Cross, Entry, LayOff, Line, Measure};
 use super::given::image;
 use super::says;
 use super::table::{DrawnLine, Made};

@@ -1,7 +1,7 @@
 //! Which things an entry reads.
 
 use super::direction::Direction;
-use super::file::{Compute, Cross, Entry, Join, LayOff, Like, Line, Measure, Solve};
+use super::entry::{Compute, Cross, Entry, Join, LayOff, Like, Line, Measure, Solve};
 use super::formula::Formula;
 use super::given::image;
 use super::table::{Table, Thing};

@@ -2,7 +2,7 @@
 //! with these; what the same formula gives with right things is the right number in its place.
 
 use super::bench::Bench;
-use super::file::{Compute, Entry, LayOff};
+use super::entry::{Compute, Entry, LayOff};
 use super::formula::Formula;
 use super::given::image;
 use super::table::{Made, Table};

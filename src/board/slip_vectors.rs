@@ -1,7 +1,7 @@
 //! Slips with vectors and images: another start, size or sense, a normal part worked out otherwise, a triangle turned over.
 
 use super::direction::Direction;
-use super::file::{Entry, LayOff, Like};
+use super::entry::{Entry, LayOff, Like};
 use super::slips::Slip;
 use super::table::Made;
 use crate::check::{Blank, Told, tell};

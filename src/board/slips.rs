@@ -1,7 +1,7 @@
 //! Slips within one operation: another number in its formula, a factor, a sign, another point, a misread ruler. Each is undone, and where
 //! the operation is right then, it was that.
 
-use super::file::{Compute, Entry, LayOff, Measure, Solve};
+use super::entry::{Compute, Entry, LayOff, Measure};
 use super::formula::Formula;
 use super::free_hand::FREE;
 use super::given::Given;
@@ -126,27 +126,6 @@ impl Slip<'_, '_> {
         })
     }
 
-    /// Equations in which another length or segment stands than should.
-    fn solved(&self, solve: &Solve, right: &[(String, f64)]) -> Option<Told> {
-        let unknown = |name: &str| right.iter().find(|(own, _)| own == name).map(|(_, number)| *number);
-        solve.equations.iter().find_map(|text| {
-            let [left, other] = Formula::sides(text).ok()?;
-            let remains = |exchanged: &str, by: f64| -> Option<f64> {
-                let mut number = |own: &str| match unknown(own) {
-                    _ if own == exchanged => Ok(by),
-                    Some(number) => Ok(number),
-                    None => self.table.number(own),
-                };
-                let [a, b] = [left.value(&mut number).ok()?, other.value(&mut number).ok()?];
-                Some((a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE))
-            };
-            if remains("", 0.0)? <= self.tolerance {
-                return None;
-            }
-            self.exchanged(&[&left, &other], &|own, by| remains(own, by).is_some_and(|rest| rest <= self.tolerance))
-        })
-    }
-
     /// A formula in which one number stands for another: it is exchanged until the formula is right.
     pub(super) fn formula(&self, formula: &Formula, name: &str, right: f64) -> Option<Told> {
         let value = |exchanged: &str, by: f64| {
@@ -228,35 +207,6 @@ impl Slip<'_, '_> {
             mechanism.links().find(|(_, body)| points.iter().all(|point| body.points.contains(point)))
         });
         Blank::Symbol(link.map_or_else(|| "ω".to_owned(), |(_, body)| format!("omega({})", body.name)))
-    }
-
-    /// A length or a segment that stands for another, which would be right: one between points that are drawn before others.
-    pub(super) fn exchanged(&self, formulas: &[&Formula], is_right: &dyn Fn(&str, f64) -> bool) -> Option<Told> {
-        let is_drawn = |name: &str| {
-            super::reads::segment_of(name)
-                .is_some_and(|(sheet, ends)| ends.iter().all(|end| self.table.place(sheet, end).is_some()))
-        };
-        let drawn = self.exchanged_for(formulas, is_right, &is_drawn);
-        drawn.or_else(|| self.exchanged_for(formulas, is_right, &|_| true))
-    }
-
-    fn exchanged_for(
-        &self,
-        formulas: &[&Formula],
-        is_right: &dyn Fn(&str, f64) -> bool,
-        is_meant: &dyn Fn(&str) -> bool,
-    ) -> Option<Told> {
-        formulas.iter().flat_map(|formula| formula.names()).find_map(|own| {
-            let (sheet, ends) = super::reads::segment_of(own).or_else(|| self.measured.get(own).cloned())?;
-            let all = match sheet.order() {
-                None if sheet == Sheet::Centers => super::centers::distances(self.table),
-                None => lengths(self.table),
-                Some(order) => segments(self.table, order),
-            };
-            let (other, _) = all.into_iter().find(|(other, length)| is_meant(other) && is_right(own, *length))?;
-            let [from, to] = &ends;
-            Some(between_others(self.table.given, sheet, &other, [from, to]))
-        })
     }
 
     /// A factor that should not be there.
@@ -395,7 +345,7 @@ fn rounded(x: f64) -> f64 {
 }
 
 /// The segments of a plan, by their names.
-fn segments(table: &Table<'_>, order: Order) -> Vec<(String, f64)> {
+pub(super) fn segments(table: &Table<'_>, order: Order) -> Vec<(String, f64)> {
     let sheet = order.sheet();
     let places: Vec<(&str, Vector)> = table.given.places(sheet).collect();
     let mut all = Vec::new();
@@ -414,7 +364,7 @@ fn segments(table: &Table<'_>, order: Order) -> Vec<(String, f64)> {
 }
 
 /// The lengths between points of the scheme, those of the hand's own among them, by their names.
-fn lengths(table: &Table<'_>) -> Vec<(String, f64)> {
+pub(super) fn lengths(table: &Table<'_>) -> Vec<(String, f64)> {
     let places: Vec<(&str, Vector)> = table.places(Sheet::Scheme).collect();
     let mut all = Vec::new();
     for (at, (from, start)) in places.iter().enumerate() {

@@ -2,13 +2,13 @@
 
 use super::constructed::{Construction, Extent};
 use super::name::image_name;
-use super::number::{End, Equation, NumberId, NumberKind, Product, Rate};
+use super::number::{Equation, NumberId, NumberKind, Product, Rate};
 use super::operation::{Along, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, StepId};
 use super::plan::{Plan, PlanPoint, PointRole};
 use super::step::Action;
-use crate::geometry::{Ball, Number, Pair, UNIT_ROUNDOFF, Vector, cross, span};
-use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
-use crate::motion::{BodyMotion, Motion, SlideMotion, guide_error};
+use crate::geometry::{Ball, UNIT_ROUNDOFF, Vector, span};
+use crate::mechanism::{BodyId, GROUND, Mechanism};
+use crate::motion::{BodyMotion, Motion, SlideMotion};
 use crate::position::Pose;
 use crate::sheet::{Order, Sheet};
 
