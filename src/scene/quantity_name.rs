@@ -1,6 +1,8 @@
 //! The name of a quantity taken apart, as `vplan(b,s3)/mu`: what it asks for, of which links, sliders and points, and of
 //! what kind its value is. It is read here and nowhere else; whether the scene has these links and points, `quantity` knows.
 
+use self::Argument::{Link, Load, Point, Slider};
+use self::Form::{Against, Alone, Both, One, Two};
 use super::units::{ForceUnit, Units};
 use crate::sheet::{QuantityKind, Sheet};
 use std::fmt;
@@ -116,6 +118,32 @@ pub enum Argument {
     Nothing,
 }
 
+/// What stands between a name's parentheses, one argument or two.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Form {
+    /// None: the name has no parentheses.
+    Alone,
+    /// One, as in `x(D)`.
+    One(Argument),
+    /// One against the frame, or two, as in `v(A)` and `v(A/B)`.
+    Against(Argument),
+    /// Always two with a stroke, as in `a_n(A/B)`.
+    Both(Argument),
+    /// Two with a comma, as in `R(B,2)`.
+    Two(Argument, Argument),
+}
+
+impl Form {
+    /// What separates two arguments; `None` where there is one.
+    fn separator(self) -> Option<&'static str> {
+        match self {
+            Form::Alone | Form::One(_) => None,
+            Form::Against(_) | Form::Both(_) => Some("/"),
+            Form::Two(..) => Some(","),
+        }
+    }
+}
+
 /// A number of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Component {
@@ -133,64 +161,69 @@ impl Component {
     /// What stands behind a name for each.
     const TAILS: [(Component, &'static str); 4] =
         [(Component::X, ".x"), (Component::Y, ".y"), (Component::Size, ".size"), (Component::Angle, ".angle")];
+
+    /// What stands behind a name for it.
+    fn tail(self) -> &'static str {
+        Component::TAILS.into_iter().find(|(own, _)| *own == self).map_or("", |(_, tail)| tail)
+    }
 }
 
 impl Head {
-    /// The heads that are not the distance of two points: the word for each, what its arguments are, and the kind of its value.
-    const KNOWN: &'static [(Head, &'static str, Argument, QuantityKind)] = &[
-        (Head::Omega, "omega", Argument::Link, QuantityKind::AngularVelocity),
-        (Head::Alpha, "alpha", Argument::Link, QuantityKind::AngularAcceleration),
-        (Head::SpeedRatio, "i", Argument::Link, QuantityKind::SpeedRatio),
-        (Head::Rpm, "rpm", Argument::Link, QuantityKind::RotationalSpeed),
-        (Head::Angle, "angle", Argument::Link, QuantityKind::Angle),
-        (Head::SlidePosition, "position", Argument::Slider, QuantityKind::Position),
-        (Head::SlideVelocity, "v_r", Argument::Slider, QuantityKind::Velocity),
-        (Head::SlideAcceleration, "a_r", Argument::Slider, QuantityKind::Acceleration),
-        (Head::Coriolis, "a_c", Argument::Slider, QuantityKind::Acceleration),
-        (Head::X, "x", Argument::Point, QuantityKind::Position),
-        (Head::Y, "y", Argument::Point, QuantityKind::Position),
-        (Head::Velocity, "v", Argument::Point, QuantityKind::Velocity),
-        (Head::Acceleration, "a", Argument::Point, QuantityKind::Acceleration),
-        (Head::Normal, "a_n", Argument::Point, QuantityKind::Acceleration),
-        (Head::Tangential, "a_t", Argument::Point, QuantityKind::Acceleration),
-        (Head::Center, "P", Argument::Link, QuantityKind::Position),
-        (Head::InflectionPole, "W", Argument::Link, QuantityKind::Position),
-        (Head::InflectionDiameter, "d_i", Argument::Link, QuantityKind::Length),
-        (Head::AccelerationPole, "G", Argument::Link, QuantityKind::Position),
-        (Head::PathRadius, "rho", Argument::Point, QuantityKind::Length),
-        (Head::Reaction, "R", Argument::Point, QuantityKind::Force),
-        (Head::GuideForce, "N", Argument::Slider, QuantityKind::Force),
-        (Head::GuideCouple, "M", Argument::Slider, QuantityKind::Moment),
-        (Head::Torque, "T", Argument::Link, QuantityKind::Moment),
-        (Head::Push, "F", Argument::Slider, QuantityKind::Force),
-        (Head::ReactionAlong, "R_n", Argument::Point, QuantityKind::Force),
-        (Head::ReactionAcross, "R_t", Argument::Point, QuantityKind::Force),
-        (Head::GuideOffset, "h", Argument::Slider, QuantityKind::Position),
-        (Head::InertiaForce, "F_i", Argument::Link, QuantityKind::Force),
-        (Head::InertiaCouple, "M_i", Argument::Link, QuantityKind::Moment),
-        (Head::FrictionForce, "F_f", Argument::Slider, QuantityKind::Force),
-        (Head::FrictionCouple, "M_f", Argument::Point, QuantityKind::Moment),
-        (Head::CenterAcceleration, "a_cm", Argument::Link, QuantityKind::Acceleration),
-        (Head::LoadMoment, "moment", Argument::Load, QuantityKind::Moment),
-        (Head::Load, "load", Argument::Load, QuantityKind::Force),
-        (Head::Power, "power", Argument::Load, QuantityKind::Power),
-        (Head::Shaking, "shaking", Argument::Nothing, QuantityKind::Force),
-        (Head::ShakingMoment, "shaking", Argument::Point, QuantityKind::Moment),
+    /// The heads that are not the distance of two points: the word for each, what stands between its parentheses, and the kind of its value.
+    const KNOWN: &'static [(Head, &'static str, Form, QuantityKind)] = &[
+        (Head::Omega, "omega", Against(Link), QuantityKind::AngularVelocity),
+        (Head::Alpha, "alpha", Against(Link), QuantityKind::AngularAcceleration),
+        (Head::SpeedRatio, "i", Two(Link, Link), QuantityKind::SpeedRatio),
+        (Head::Rpm, "rpm", One(Link), QuantityKind::RotationalSpeed),
+        (Head::Angle, "angle", One(Link), QuantityKind::Angle),
+        (Head::SlidePosition, "position", One(Slider), QuantityKind::Position),
+        (Head::SlideVelocity, "v_r", One(Slider), QuantityKind::Velocity),
+        (Head::SlideAcceleration, "a_r", One(Slider), QuantityKind::Acceleration),
+        (Head::Coriolis, "a_c", One(Slider), QuantityKind::Acceleration),
+        (Head::X, "x", One(Point), QuantityKind::Position),
+        (Head::Y, "y", One(Point), QuantityKind::Position),
+        (Head::Velocity, "v", Against(Point), QuantityKind::Velocity),
+        (Head::Acceleration, "a", Against(Point), QuantityKind::Acceleration),
+        (Head::Normal, "a_n", Both(Point), QuantityKind::Acceleration),
+        (Head::Tangential, "a_t", Both(Point), QuantityKind::Acceleration),
+        (Head::Center, "P", Two(Link, Link), QuantityKind::Position),
+        (Head::InflectionPole, "W", One(Link), QuantityKind::Position),
+        (Head::InflectionDiameter, "d_i", One(Link), QuantityKind::Length),
+        (Head::AccelerationPole, "G", One(Link), QuantityKind::Position),
+        (Head::PathRadius, "rho", One(Point), QuantityKind::Length),
+        (Head::Reaction, "R", Two(Point, Link), QuantityKind::Force),
+        (Head::GuideForce, "N", One(Slider), QuantityKind::Force),
+        (Head::GuideCouple, "M", One(Slider), QuantityKind::Moment),
+        (Head::Torque, "T", One(Link), QuantityKind::Moment),
+        (Head::Push, "F", One(Slider), QuantityKind::Force),
+        (Head::ReactionAlong, "R_n", Two(Point, Link), QuantityKind::Force),
+        (Head::ReactionAcross, "R_t", Two(Point, Link), QuantityKind::Force),
+        (Head::GuideOffset, "h", One(Slider), QuantityKind::Position),
+        (Head::InertiaForce, "F_i", One(Link), QuantityKind::Force),
+        (Head::InertiaCouple, "M_i", One(Link), QuantityKind::Moment),
+        (Head::FrictionForce, "F_f", One(Slider), QuantityKind::Force),
+        (Head::FrictionCouple, "M_f", Two(Point, Link), QuantityKind::Moment),
+        (Head::CenterAcceleration, "a_cm", One(Link), QuantityKind::Acceleration),
+        (Head::LoadMoment, "moment", Two(Load, Point), QuantityKind::Moment),
+        (Head::Load, "load", One(Load), QuantityKind::Force),
+        (Head::Power, "power", One(Load), QuantityKind::Power),
+        (Head::Shaking, "shaking", Alone, QuantityKind::Force),
+        (Head::ShakingMoment, "shaking", One(Point), QuantityKind::Moment),
     ];
 
     /// The head of a word that has arguments behind it, or none.
-    fn of(word: &str, has_arguments: bool) -> Option<Head> {
+    fn of_word(word: &str, has_arguments: bool) -> Option<Head> {
         let between = || Sheet::ALL.into_iter().find(|sheet| sheet.facts().segment == word).map(Head::Between);
-        let is_it = |own: &str, argument| own == word && (argument != Argument::Nothing) == has_arguments;
-        let known = Head::KNOWN.iter().find(|(_, own, argument, _)| is_it(own, *argument));
+        let is_it = |own: &str, form| own == word && (form != Form::Alone) == has_arguments;
+        let known = Head::KNOWN.iter().find(|(_, own, form, _)| is_it(own, *form));
         known.map(|(head, ..)| *head).or_else(|| between().filter(|_| has_arguments))
     }
 
-    /// The word for it, what its arguments are, and the kind of its value.
-    fn facts(self) -> (&'static str, Argument, QuantityKind) {
+    /// The word for it, what stands between its parentheses, and the kind of its value.
+    fn facts(self) -> (&'static str, Form, QuantityKind) {
         let known = || Head::KNOWN.iter().find(|(head, ..)| *head == self).expect("every other head is listed");
         match self {
-            Head::Between(sheet) => (sheet.facts().segment, Argument::Point, sheet.facts().drawn),
+            Head::Between(sheet) => (sheet.facts().segment, Two(Point, Point), sheet.facts().drawn),
             _ => (known().1, known().2, known().3),
         }
     }
@@ -201,13 +234,41 @@ impl Head {
         self.facts().0
     }
 
+    fn form(self) -> Form {
+        self.facts().1
+    }
+
+    /// The name of this quantity of a link, a slider or a point.
+    #[must_use]
+    pub fn of(self, argument: &str) -> String {
+        format!("{}({argument})", self.word())
+    }
+
+    /// The name of this quantity of two links or points, or of a point and a link.
+    #[must_use]
+    pub fn of_two(self, first: &str, second: &str) -> String {
+        self.of(&[first, second].join(self.form().separator().unwrap_or_default()))
+    }
+
+    /// The name of a number of this vector.
+    #[must_use]
+    pub fn number_of(self, argument: &str, component: Component) -> String {
+        self.of(argument) + component.tail()
+    }
+
+    /// Whether a name begins with its word and a parenthesis.
+    #[must_use]
+    pub fn begins(self, name: &str) -> bool {
+        name.strip_prefix(self.word()).is_some_and(|rest| rest.starts_with('('))
+    }
+
     /// What its argument of this index is.
     #[must_use]
     pub fn argument(self, index: usize) -> Argument {
-        match (self, index) {
-            (Head::Reaction | Head::ReactionAlong | Head::ReactionAcross | Head::FrictionCouple, 1) => Argument::Link,
-            (Head::LoadMoment, 1) => Argument::Point,
-            _ => self.facts().1,
+        match self.form() {
+            Form::Alone => Argument::Nothing,
+            Form::Two(_, second) if index == 1 => second,
+            Form::One(argument) | Form::Against(argument) | Form::Both(argument) | Form::Two(argument, _) => argument,
         }
     }
 
@@ -217,32 +278,12 @@ impl Head {
         self.facts().2
     }
 
-    /// What separates its two arguments; `None` where it has one.
-    fn separator(self) -> Option<&'static str> {
-        match self {
-            Head::Omega | Head::Alpha | Head::Velocity | Head::Acceleration | Head::Normal | Head::Tangential => {
-                Some("/")
-            }
-            Head::Between(_)
-            | Head::SpeedRatio
-            | Head::Center
-            | Head::Reaction
-            | Head::ReactionAlong
-            | Head::ReactionAcross
-            | Head::FrictionCouple
-            | Head::LoadMoment => Some(","),
-            _ => None,
-        }
-    }
-
     /// Its arguments, from what stands between a name's parentheses; `None` where a second one is missing.
     fn split(self, inner: &str) -> Option<Vec<&str>> {
-        // Velocities and accelerations are against the frame, or against a second point or link.
-        let may_be_one = matches!(self, Head::Omega | Head::Alpha | Head::Velocity | Head::Acceleration);
-        let needs_two = self.separator().is_some() && !may_be_one;
-        match self.separator().and_then(|by| split_outside(inner, by)) {
+        let form = self.form();
+        match form.separator().and_then(|by| split_outside(inner, by)) {
             Some((first, second)) => Some(vec![first, second]),
-            None => (!needs_two).then(|| vec![inner]),
+            None => matches!(form, Form::One(_) | Form::Against(_)).then(|| vec![inner]),
         }
     }
 }
@@ -262,11 +303,11 @@ impl QuantityName {
         let (head, inner, tail) = match compact.split_once('(') {
             Some((word, rest)) => {
                 let (inner, tail) = rest.rsplit_once(')')?;
-                (Head::of(word, true)?, Some(inner), tail)
+                (Head::of_word(word, true)?, Some(inner), tail)
             }
             None => {
                 let (word, tail) = compact.split_at(compact.find('.').unwrap_or(compact.len()));
-                (Head::of(word, false)?, None, tail)
+                (Head::of_word(word, false)?, None, tail)
             }
         };
         let (component, on_paper) = match tail {
@@ -331,16 +372,14 @@ impl QuantityName {
     /// What stands between its parentheses, as `4` of `omega(4)` and `alpha(4)`.
     #[must_use]
     pub fn subject(&self) -> String {
-        self.arguments.join(self.head.separator().unwrap_or_default())
+        self.arguments.join(self.head.form().separator().unwrap_or_default())
     }
 
     /// What stands behind its parentheses, as `.size` or `/mu`.
     #[must_use]
     pub fn tail(&self) -> &'static str {
         match self.component {
-            Some(component) => {
-                Component::TAILS.into_iter().find(|(own, _)| *own == component).map_or("", |(_, tail)| tail)
-            }
+            Some(component) => component.tail(),
             None if self.on_paper => "/mu",
             None => "",
         }
@@ -380,15 +419,15 @@ impl QuantityName {
             is_other |= new.is_some();
             new.map_or_else(|| part.to_owned(), |new| part.replacen(name, &new, 1))
         });
-        let inner = reworded.collect::<Vec<_>>().join(head.separator().unwrap_or_default());
+        let inner = reworded.collect::<Vec<_>>().join(head.form().separator().unwrap_or_default());
         is_other.then(|| format!("{before}({inner}){tail}"))
     }
 }
 
 impl fmt::Display for QuantityName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.head.argument(0) {
-            Argument::Nothing => write!(f, "{}{}", self.head.word(), self.tail()),
+        match self.head.form() {
+            Form::Alone => write!(f, "{}{}", self.head.word(), self.tail()),
             _ => write!(f, "{}({}){}", self.head.word(), self.subject(), self.tail()),
         }
     }
