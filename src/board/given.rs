@@ -14,7 +14,7 @@ use crate::mechanism::{BodyId, Mechanism, Role};
 use crate::message::Message;
 use crate::quantity::{ForceOf, Quantity, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
-use crate::sheet::{PerSheet, Sheet};
+use crate::sheet::{Order, PerSheet, Sheet};
 use indexmap::IndexMap;
 
 /// A solved scene as somebody meets it who draws: what it gives, and what the names of points and numbers will mean.
@@ -306,27 +306,28 @@ impl Given {
     pub(super) fn vectors(&self, sheet: Sheet) -> Vec<Vector> {
         let Some(order) = sheet.order() else { return Vec::new() };
         let mechanism = self.mechanism();
-        let acceleration = order == crate::sheet::Order::Acceleration;
-        let heads: &[&str] = if acceleration { &["a", "a_n", "a_t"] } else { &["v"] };
+        let (heads, sliding): (&[Head], Head) = match order {
+            Order::Velocity => (&[Head::Velocity], Head::SlideVelocity),
+            Order::Acceleration => (&[Head::Acceleration, Head::Normal, Head::Tangential], Head::SlideAcceleration),
+        };
         let mut names = Vec::new();
         for (id, _) in mechanism.links() {
             let points = self.points_of(id);
             for [a, _] in &points {
-                names.push(format!("{}({a})", heads[0]));
+                names.push(heads[0].of(a));
                 for [b, _] in points.iter().filter(|[b, _]| b != a) {
-                    names.extend(heads.iter().map(|head| format!("{head}({a}/{b})")));
+                    names.extend(heads.iter().map(|head| head.of_two(a, b)));
                 }
             }
         }
         let mut vectors: Vec<Vector> = names.iter().filter_map(|name| self.vector(name)).collect();
         for id in mechanism.slider_ids() {
             let (name, guide) = (mechanism.slider_name(id), self.solution.pose.guide(id));
-            let size = |head: &str| self.number(&format!("{head}({name})")).unwrap_or(0.0);
-            vectors.push(guide * size(if acceleration { "a_r" } else { "v_r" }));
-            if acceleration {
-                let coriolis = crate::geometry::quarter_turn(guide);
-                vectors.push(coriolis * size("a_c"));
-                vectors.push(coriolis * -size("a_c"));
+            let size = |head: Head| self.number(&head.of(&name)).unwrap_or(0.0);
+            vectors.push(guide * size(sliding));
+            if order == Order::Acceleration {
+                let coriolis = crate::geometry::quarter_turn(guide) * size(Head::Coriolis);
+                vectors.extend([coriolis, -coriolis]);
             }
         }
         vectors
@@ -353,10 +354,10 @@ impl Given {
     pub(super) fn given_parts(&self, sheet: Sheet) -> Vec<Vector> {
         let Some(order) = sheet.order() else { return Vec::new() };
         let mechanism = self.mechanism();
-        let head = if order == crate::sheet::Order::Acceleration { "a" } else { "v" };
+        let head = [Head::Velocity, Head::Acceleration][order];
         let moving = mechanism.bodies.iter().filter(|b| matches!(b.role, Role::Moving { .. } | Role::Carrier { .. }));
         let points = moving.flat_map(|body| &body.points);
-        let given = points.filter_map(|point| self.vector(&format!("{head}({})", mechanism.point_name(*point))));
+        let given = points.filter_map(|point| self.vector(&head.of(mechanism.point_name(*point))));
         given.flat_map(|v| [Vector::new(v.x, 0.0), Vector::new(0.0, v.y)]).collect()
     }
 

@@ -122,6 +122,9 @@ pub(super) fn is_center(name: &str) -> bool {
     QuantityName::parse(name).is_some_and(|name| name.head == Head::Center && name.is_plain())
 }
 
+/// A length of the scheme, `L(A,B)`.
+pub(super) const LENGTH: Head = Head::Between(Sheet::Scheme);
+
 /// The two points of a direction's name, as `B,C` and `P(1,3),C`; `None` for any other name.
 pub(super) fn two_points(name: &str) -> Option<[&str; 2]> {
     let mut depth = 0;

@@ -5,7 +5,6 @@ use super::screen::Screen;
 use super::shown::ThingKind;
 use super::table::Table;
 use crate::geometry::{Vector, cross};
-use crate::quantity::LoadOf;
 use crate::sheet::Sheet;
 
 /// What gives a direction.
@@ -80,7 +79,7 @@ impl Screen {
         let half = 0.12 * given.size(Sheet::Scheme);
         let loads = given.construction().forces.iter().flat_map(|plan| &plan.loads).zip(&given.load_places);
         for (load, at) in loads {
-            let name = format!("load({})", LoadOf { source: load.source, body: load.body }.name(mechanism));
+            let name = load.name(mechanism);
             if let (Some(Ok(along)), Some(at)) = (given.direction(&name), place(at)) {
                 let words = says::load(&name);
                 all.push(Reference { name, kind: ThingKind::Guide, words, ends: [at - along * half, at] });

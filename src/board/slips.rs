@@ -5,6 +5,7 @@ use super::entry::{Compute, Entry, LayOff, Measure};
 use super::formula::Formula;
 use super::free_hand::FREE;
 use super::given::Given;
+use super::reads::LENGTH;
 use super::table::{Made, Table};
 use crate::check::Told;
 use crate::check::tell;
@@ -138,14 +139,13 @@ impl Slip<'_, '_> {
         let ends = || [self.start_of(name), Blank::from(name)];
         // A length may stand there as a number; in a Coriolis acceleration a velocity stands in its place.
         let names = formula.names();
-        let a_length = names.iter().find(|name| name.starts_with("L("));
+        let a_length = names.iter().find(|name| LENGTH.begins(name));
         let length = || symbol(a_length.copied().unwrap_or("L"));
         let velocity = names.iter().find(|name| !super::bench::turns(name));
         let factor = || symbol(a_length.or(velocity).copied().unwrap_or("L"));
         // Of links that turn together the one whose rate was found is told.
-        let found = self.table.numbers().map(|(name, _)| name.to_owned()).filter(|name| name.starts_with("omega("));
-        let omegas: Vec<String> =
-            found.chain(mechanism.links().map(|(_, body)| format!("omega({})", body.name))).collect();
+        let found = self.table.numbers().map(|(name, _)| name.to_owned()).filter(|name| Head::Omega.begins(name));
+        let omegas: Vec<String> = found.chain(mechanism.links().map(|(_, body)| Head::Omega.of(&body.name))).collect();
         for own in formula.names() {
             let Some(quantity) = QuantityName::parse(own) else { continue };
             let Ok(now) = self.table.number(own) else { continue };
@@ -188,7 +188,7 @@ impl Slip<'_, '_> {
             let absolute = ends.iter().position(|end| self.table.given.place(sheet, end) == Some(Vector::zeros()))?;
             Some(ends[1 - absolute].clone())
         });
-        let is_normal = formula.names().iter().any(|name| name.starts_with("L("));
+        let is_normal = formula.names().iter().any(|name| LENGTH.begins(name));
         match pole {
             Some(point) if is_normal && exchanged.mistake == Mistake::WrongSegment && formula.has_power() => {
                 let [from, to] = ends();
@@ -206,7 +206,7 @@ impl Slip<'_, '_> {
             let points = [mechanism.point(&ends[0])?, mechanism.point(&ends[1])?];
             mechanism.links().find(|(_, body)| points.iter().all(|point| body.points.contains(point)))
         });
-        Blank::Symbol(link.map_or_else(|| "ω".to_owned(), |(_, body)| format!("omega({})", body.name)))
+        Blank::Symbol(link.map_or_else(|| "ω".to_owned(), |(_, body)| Head::Omega.of(&body.name)))
     }
 
     /// A factor that should not be there.
@@ -224,7 +224,7 @@ impl Slip<'_, '_> {
             [(2.0, tell::diameter_throughout as fn(Blank) -> Told), (0.5, tell::half_the_radius as fn(Blank) -> Told)]
         {
             if self.is_same(ratio, factor) && self.is_of_crank(name, right) {
-                let length = names.iter().find(|name| name.starts_with("L("));
+                let length = names.iter().find(|name| LENGTH.begins(name));
                 let length = length.map_or_else(|| self.crank_length(), |length| Some((*length).to_owned()));
                 return Some(tell(Blank::Symbol(length?)));
             }
@@ -235,13 +235,13 @@ impl Slip<'_, '_> {
     /// A normal part of a link that is not driven, with the diameter in place of the radius.
     pub(super) fn diameter(&self, formula: &Formula, name: &str, ratio: f64) -> Option<Told> {
         let names = formula.names();
-        let rate = names.iter().find(|name| name.starts_with("omega("))?;
-        let length = names.iter().find(|name| name.starts_with("L("))?;
+        let rate = names.iter().find(|name| Head::Omega.begins(name))?;
+        let length = names.iter().find(|name| LENGTH.begins(name))?;
         let is_squared = formula.has_power() || names.iter().filter(|name| *name == rate).count() == 2;
         let is_driven = || {
             let mechanism = self.table.given.mechanism();
             let mut driven = mechanism.links().filter(|(id, _)| mechanism.is_known(*id));
-            driven.any(|(_, body)| format!("omega({})", body.name) == **rate)
+            driven.any(|(_, body)| Head::Omega.of(&body.name) == **rate)
         };
         let is_twice = formula.has_numbers() && (ratio.abs() - 2.0).abs() <= 1e-6;
         (is_squared && is_twice && !is_driven()).then(|| {
@@ -254,14 +254,14 @@ impl Slip<'_, '_> {
     fn first_rate(&self) -> String {
         let mechanism = self.table.given.mechanism();
         let mut known = mechanism.links().filter(|(id, _)| mechanism.is_known(*id));
-        known.next().map_or_else(String::new, |(_, body)| format!("omega({})", body.name))
+        known.next().map_or_else(String::new, |(_, body)| Head::Omega.of(&body.name))
     }
 
     fn crank_length(&self) -> Option<String> {
         let mechanism = self.table.given.mechanism();
         let (_, body) = mechanism.links().find(|(id, body)| mechanism.is_known(*id) && body.points.len() > 1)?;
         let [from, to] = [body.points[0], body.points[1]].map(|point| mechanism.point_name(point));
-        Some(format!("L({from},{to})"))
+        Some(Sheet::Scheme.segment_name(from, to))
     }
 
     /// Whether a vector or a size is one of a driven link.
@@ -275,8 +275,8 @@ impl Slip<'_, '_> {
         });
         pairs.any(|[a, b]| {
             let names = match a == b {
-                true => vec![format!("v({a})"), format!("a({a})")],
-                false => vec![format!("a_n({a}/{b})"), format!("a_t({a}/{b})")],
+                true => [Head::Velocity, Head::Acceleration].map(|head| head.of(a)),
+                false => [Head::Normal, Head::Tangential].map(|head| head.of_two(a, b)),
             };
             let sizes = names.iter().filter_map(|name| self.table.given.number(name));
             sizes.into_iter().any(|size| self.is_same(size, right.abs())) || super::given::image(a) == name
@@ -368,7 +368,8 @@ pub(super) fn lengths(table: &Table<'_>) -> Vec<(String, f64)> {
     let places: Vec<(&str, Vector)> = table.places(Sheet::Scheme).collect();
     let mut all = Vec::new();
     for (at, (from, start)) in places.iter().enumerate() {
-        let others = places[at + 1..].iter().map(|(to, end)| (format!("L({from},{to})"), (end - start).norm()));
+        let others =
+            places[at + 1..].iter().map(|(to, end)| (Sheet::Scheme.segment_name(from, to), (end - start).norm()));
         all.extend(others.filter(|(_, length)| *length > 0.0));
     }
     all

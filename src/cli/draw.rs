@@ -14,9 +14,9 @@ use crate::cycle::Traces;
 use crate::drawing::{Drawing, FigureSheets, Steps};
 use crate::editing::{with_figure, with_mode};
 use crate::format::{OpenScene, workbench};
-use crate::order_of_figure;
 use crate::scene::{Figure, LengthUnit, Scene, SizeLimit, StyleName, ValuesShown};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
+use crate::{order_of_figure, order_of_result};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -342,9 +342,21 @@ impl Draw {
         style.put_on([&mut all]);
         let count = all.steps.len();
         let digits = count.to_string().len().max(2);
+        let scene = &solution.scene;
+        // `steps` counts on through the plan of accelerations, for which the figure may have no panel.
+        let has_more = order_of_figure(scene) == Order::Velocity && order_of_result(scene) == Order::Acceleration;
         if let Some(step) = wanted.filter(|step| !(1..=count).contains(step)) {
-            let hint = format!("the construction has steps 1 to {count}; `kinegon steps` lists them");
+            let listed = match has_more {
+                true => " in the figure's panels; `kinegon steps` also lists those of the acceleration plan",
+                false => "; `kinegon steps` lists them",
+            };
+            let hint = format!("the construction has steps 1 to {count}{listed}");
             return refuse(format!("there is no step {step}"), hint);
+        }
+        if has_more && wanted.is_none() {
+            note(
+                "the figure has no panel for the acceleration plan: no sheets for its steps, which `kinegon steps` lists",
+            );
         }
         let shown = shown_steps(solution, steps);
         let is_shown = |step: &usize| wanted.map_or(shown.get(step - 1) == Some(&true), |wanted| *step == wanted);

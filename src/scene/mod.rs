@@ -20,6 +20,7 @@ mod error;
 mod figure;
 mod friction;
 mod given;
+mod head;
 mod joint;
 mod kinds;
 mod link;
@@ -53,6 +54,7 @@ pub use error::{Place, SceneError};
 pub use figure::Figure;
 pub use friction::{Friction, Grip, RubbingJoint};
 pub use given::{Drive, GivenBy, LinkMotion, PointMotion, SliderDrive};
+pub use head::{Argument, Head};
 pub use joint::*;
 pub use kinds::Kind;
 pub use link::{Length, Link, Shape};
@@ -60,7 +62,7 @@ pub use loads::{Amount, Analysis, LinkPlace, Load, Loads, Mass, Spring, SpringEn
 pub use over::{Gauge, Over};
 pub use page::{Measure, Page, PageSize, Sizes};
 pub use points::Near;
-pub use quantity_name::{Argument, Component, Head, QuantityName};
+pub use quantity_name::{Component, QuantityName};
 pub(crate) use read::MOST_MARKS;
 pub use read::{Scene, SizeLimit};
 #[doc(hidden)] // for tests
