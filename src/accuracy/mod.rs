@@ -15,7 +15,6 @@
 mod bounds;
 mod certificate;
 mod contacts;
-mod corners;
 mod enclosure;
 mod given;
 mod locals;

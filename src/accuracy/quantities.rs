@@ -101,7 +101,11 @@ impl Bounds<'_> {
             }
             What::Part(part, a, b, link) => TrueValue::Vector(self.true_part(e, *part, [a, b], *link)?),
             What::Segment(order, [from, to]) => TrueValue::Vector(self.true_segment(*order, [from, to])?),
-            What::Corners([from, to]) => TrueValue::Vector(self.true_side(e, [from, to])?),
+            What::Corners(corners) => {
+                let plan = self.construction.and_then(|drawn| drawn.forces.as_deref());
+                let way = corners.way(plan, self.mechanism)?;
+                TrueValue::Vector(way.read(self.mechanism, self.forces()?, &self.loaded(e))?)
+            }
             What::Pole(pole) => TrueValue::Vector(e.pole(pole)?),
             What::InflectionDiameter(pole) => TrueValue::Number(e.diameter(pole)),
             What::PathRadius(spot) => {

@@ -100,7 +100,8 @@ pub(super) fn entries_by(
     }
     find_precisions(&mut entries);
     let place = |e: &Entry| names.order.get_index_of(e.asked.name());
-    entries.sort_by_key(|e| (e.step, place(e).unwrap_or(usize::MAX)));
+    // An arm is measured before its step computes with it.
+    entries.sort_by_key(|e| (e.step, !e.asked.is_arm(), place(e).unwrap_or(usize::MAX)));
     Ok(entries)
 }
 

@@ -107,7 +107,8 @@ pub use marks::{Awarded, MarkScheme, Marks};
 pub use measured::{AnswerKey, CheckError, DEPTH, Given, LENIENCY, Measured, PlacedPoint, PointsOf, Positive};
 pub(crate) use mistakes::tell;
 pub use mistakes::{Blank, Candidate, Mistake, Told};
-pub use names::{asked_names, form_names};
+pub(crate) use names::is_arm;
+pub use names::{arm_names, asked_names, form_names};
 pub use on_paper::PaperPoints;
 #[cfg(feature = "photo")]
 pub use photographs::{Aimed, PencilledPlan, PointVerdict, hundredths};

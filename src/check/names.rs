@@ -8,7 +8,7 @@ use super::measured::{CheckError, UNDER_SLIDER};
 use super::says;
 use crate::centers::LinkPair;
 use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
-use crate::quantity::{Pole, QuantityError, QuantityRequest, What};
+use crate::quantity::{Corners, Pole, QuantityError, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, shown};
@@ -28,6 +28,12 @@ pub fn form_names(construction: &Construction) -> Vec<String> {
 #[must_use]
 pub fn asked_names(solution: &Solution) -> Vec<String> {
     Names::new(solution).rows().map(str::to_owned).collect()
+}
+
+/// The names of the arms that a hand measures for its force polygons: a form asks for those that the scene's key `form` names.
+#[must_use]
+pub fn arm_names(solution: &Solution) -> Vec<String> {
+    solution.construction.arm_names(&solution.mechanism).into_iter().collect()
 }
 
 /// A row of a form.
@@ -67,9 +73,15 @@ fn between(name: &str) -> Option<(QuantityName, Sheet)> {
     }
 }
 
-/// Whether a name asks for what lies between corners of a force polygon, which no step finds by that name.
-fn is_of_corners(name: &str) -> bool {
-    QuantityName::parse(name).is_some_and(|name| name.head == Head::Between(Sheet::Forces))
+/// Whether a name asks for what a form has a box for where the scene wants it alone: what lies between corners of a force polygon, which no
+/// step finds by that name; or an arm, which a hand measures on its way to a moment.
+fn is_extra(name: &str) -> bool {
+    is_arm(name) || QuantityName::parse(name).is_some_and(|name| name.head == Head::Between(Sheet::Forces))
+}
+
+/// Whether a name asks for the arm of a force.
+pub(crate) fn is_arm(name: &str) -> bool {
+    QuantityName::parse(name).is_some_and(|name| name.head == Head::Arm)
 }
 
 fn rows(construction: &Construction) -> Vec<FormRow> {
@@ -124,15 +136,32 @@ impl<'a> Names<'a> {
         if let Some(form) = &solution.scene.form {
             let asked = form.iter().map(|(name, marks)| (names.row_of(&names.usual(name)).to_owned(), *marks));
             let asked: IndexMap<String, f64> = asked.collect();
-            names.rows.extend(asked.keys().filter(|name| is_of_corners(name)).map(|name| FormRow {
-                name: name.clone(),
-                segment: None,
-                is_measured: true,
-                worth: None,
-            }));
+            asked.keys().filter(|name| is_extra(name)).for_each(|name| names.add_row(name));
             names.rows.iter_mut().for_each(|row| row.worth = asked.get(&row.name).copied());
         }
         names
+    }
+
+    /// Adds a row that no step asks for: an arm before what its moment finds, all else behind the others.
+    fn add_row(&mut self, name: &str) {
+        let row = FormRow { name: name.to_owned(), segment: None, is_measured: true, worth: None };
+        // What the plan does not have has no box.
+        let Solution { mechanism, construction, .. } = self.solution;
+        let Ok(asked) = QuantityRequest::new(name, mechanism) else { return };
+        let is_there = match asked.is_arm() {
+            true => asked.measured_arm(construction, mechanism).is_some(),
+            false => {
+                let scales = self.solution.scales();
+                asked.value(&self.solution.snapshot(), Some(construction), Some(&scales)).is_ok()
+            }
+        };
+        if !is_there {
+            return;
+        }
+        let step = asked.is_arm().then(|| self.step_of(&asked));
+        let is_later = |row: &FormRow| self.order.get(&row.name).zip(step).is_some_and(|(own, step)| *own >= step);
+        let place = self.rows.iter().position(is_later).unwrap_or(self.rows.len());
+        self.rows.insert(place, row);
     }
 
     /// The names of the rows of the scene's form, in their order.
@@ -237,6 +266,10 @@ impl<'a> Names<'a> {
     /// The number of the step after which a quantity that no step names can be read: that which makes the image of its
     /// point, or the later of a segment's ends, or else the last of its sheet. 0 on the scheme.
     fn step_of(&self, asked: &QuantityRequest) -> usize {
+        let construction = &self.solution.construction;
+        if let Some(arm) = asked.measured_arm(construction, &self.solution.mechanism) {
+            return construction.step_of_number(arm).map_or(0, |step| construction.step_number(step));
+        }
         let sheet = asked.sheet();
         if sheet == Sheet::Scheme {
             return 0;
@@ -245,9 +278,8 @@ impl<'a> Names<'a> {
             let of_center = |pole: &Pole| self.order.get(&format!("{}.x", pole.name)).copied();
             return asked.centers().filter_map(of_center).max().unwrap_or(0);
         }
-        let construction = &self.solution.construction;
         let steps = || construction.steps_by_hand();
-        if let What::Corners(ends) = &asked.what {
+        if let What::Corners(Corners { ends, .. }) = &asked.what {
             let place = |name: &String| construction.place(sheet, name);
             let made = ends.iter().filter_map(place).filter_map(|place| construction.step_of_place(place));
             return made.map(|step| construction.step_number(step)).max().unwrap_or(0);
@@ -273,7 +305,9 @@ impl<'a> Names<'a> {
         match &asked.what {
             What::Segment(order, [from, to]) if asked.written.component.is_none() => between(order.sheet(), from, to),
             What::Segment(order, [from, to]) => format!("∠ {}", between(order.sheet(), from, to)),
-            What::Corners([from, to]) if asked.written.component.is_none() => between(Sheet::Forces, from, to),
+            What::Corners(Corners { ends: [from, to], .. }) if asked.written.component.is_none() => {
+                between(Sheet::Forces, from, to)
+            }
             What::Length(from, to) if asked.sheet() == Sheet::Scheme => between(Sheet::Scheme, from.name(), to.name()),
             _ => {
                 let Wording { notation, .. } = self.solution.wording();

@@ -4,7 +4,7 @@ use super::entry::{Entry, entries};
 use super::measured::{AnswerKey, CheckError, Given, Measured, ON_PAPER};
 use super::mistakes::{Candidate, Mistake, Site};
 use super::model::{Model, in_order};
-use super::names::{Names, form_names};
+use super::names::{Names, asked_names, form_names, is_arm};
 use super::report::told_alone;
 use super::search::other_modes;
 use crate::construction::{Change, Disturbance, Tolerance};
@@ -24,11 +24,14 @@ impl<'a> Student<'a> {
     /// # Errors
     /// The figure lacks a sheet.
     pub fn new(key: &'a AnswerKey<'a>) -> Result<Student<'a>, CheckError> {
-        let (mu, names) = (key.scales, form_names(&key.solution.construction));
+        let mu = key.scales;
+        let mut names = form_names(&key.solution.construction);
+        names.extend(asked_names(key.solution).into_iter().filter(|name| is_arm(name)));
         // A form filled with zeros gives the entries of all quantities.
         let blank = |name: &String| Given { name: name.clone(), text: "0".to_owned(), unit: None, place: name.into() };
         let form = Measured { mu, values: names.iter().map(blank).collect(), ..Measured::default() };
         let entries = entries(&form, key)?;
+        let names = entries.iter().map(|entry| entry.asked.name().to_owned()).collect();
         let mut models = vec![Model::new(key, key.solution, mu, &entries)?];
         models.extend(other_modes(key, mu, &entries));
         Ok(Student { key, models, names, entries })

@@ -58,6 +58,9 @@ pub(super) struct Check {
     #[arg(long, value_name = "FORMAT", num_args = 0..=1, default_missing_value = "json", conflicts_with = "measured",
         value_parser = ["json", "csv"])]
     template: Option<String>,
+    /// With boxes for the arms that the force polygons need, too.
+    #[arg(long, requires = "template")]
+    arms: bool,
     /// Print verdicts and diagnosis as JSON.
     #[arg(long)]
     json: bool,
@@ -83,6 +86,27 @@ pub(super) struct Check {
     correction: Correction,
 }
 
+/// The names of the arms that a form may ask for; refuses a scene that has none.
+pub(super) fn arms(solution: &Solution) -> Result<Vec<String>, Failure> {
+    let arms = check::arm_names(solution);
+    match arms.is_empty() {
+        true => refuse(
+            "no arms are measured: the figure has no force polygons",
+            "give loads and add the panel `\"forces\"` to `figure`, or leave `--arms` out",
+        ),
+        false => Ok(arms),
+    }
+}
+
+/// Adds boxes for arms to the form of a scene.
+fn ask_for_arms(solution: &mut Solution) -> Result<(), Failure> {
+    let arms = arms(solution)?;
+    let names = check::asked_names(solution).into_iter().chain(arms);
+    let own = solution.scene.form.take().unwrap_or_default();
+    solution.scene.form = Some(names.map(|name| (name.clone(), own.get(&name).copied().unwrap_or(1.0))).collect());
+    Ok(())
+}
+
 impl Check {
     pub(super) fn run(&self) -> Result<(), Failure> {
         if self.photographs()? {
@@ -91,10 +115,13 @@ impl Check {
         if self.scene.is_dir() {
             return self.exercises();
         }
-        let solution = self.solved(&self.scene)?;
+        let mut solution = self.solved(&self.scene)?;
         let Some(path) = &self.measured else {
             if let Err(nothing) = ExerciseError::refuse_nothing(&solution) {
                 return Err(Failure::unclear(nothing.to_string()));
+            }
+            if self.arms {
+                ask_for_arms(&mut solution)?;
             }
             let form = Measured::empty(solution.scales(), None);
             let is_csv = self.template.as_deref() == Some("csv");

@@ -1,3 +1,4 @@
+use super::check::arms;
 use super::figures::{GivenStyle, stem, style_names};
 use super::files;
 use super::message::{Failure, Source, note, refuse};
@@ -55,6 +56,9 @@ pub(super) struct ExerciseCommand {
     /// Drawing style: paper, print, lecture, board, or the path of a style file.
     #[arg(long, value_name = "NAME|FILE", value_parser = style_names(), hide_possible_values = true)]
     style: Option<String>,
+    /// Ask for the arms that the force polygons need, too.
+    #[arg(long)]
+    arms: bool,
     #[command(flatten)]
     look: Look,
     #[command(flatten)]
@@ -75,6 +79,10 @@ impl ExerciseCommand {
         let mut exercises = Exercises::new(&solution, page, self.seed).map_err(|error| {
             Failure::misuse(format!("{}: {error}", source.name), "`kinegon new --list` shows other kinds")
         })?;
+        if self.arms {
+            arms(&solution)?;
+            exercises = exercises.with_arms();
+        }
         if self.pass.is_some() && self.lms != Some(Lms::Scorm) {
             return refuse(
                 "only a SCORM package says what must be reached".to_owned(),

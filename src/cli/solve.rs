@@ -14,7 +14,7 @@ use crate::mechanism::{Mechanism, mechanism};
 use crate::position::{Pose, counted_poses, with_nearest_sides};
 use crate::quantity::{QuantityRequest, pencil, readable_names, step_pencil};
 use crate::scene::{Figure, Scene, SizeLimit};
-use crate::sheet::Order;
+use crate::sheet::{Order, Sheet};
 use crate::words::Wording;
 use crate::{Error, format, order_of_result, posed};
 use clap::{Args, ValueEnum};
@@ -50,10 +50,17 @@ pub(super) fn solve(
     order: impl Fn(&Scene) -> Order,
 ) -> Result<Solution, Failure> {
     let (mut scene, mechanism, pose) = read(source, most, mode)?;
+    let had_forces = scene.figure.shown_panels().contains(&Sheet::Forces);
     override_figure(&mut scene.figure);
+    // Whoever asks for other panels does without the corners.
+    let draws_forces = !had_forces || scene.figure.shown_panels().contains(&Sheet::Forces);
     scene.check_frame().map_err(|error| Failure::of_option("--frame", error))?;
     let order = order(&scene);
-    source.checked(Solution::new(scene, mechanism, pose, order))
+    let solution = source.checked(Solution::new(scene, mechanism, pose, order))?;
+    if draws_forces {
+        source.checked(solution.check_corners())?;
+    }
+    Ok(solution)
 }
 
 /// Reads a scene and finds its position.

@@ -102,6 +102,7 @@ pub(crate) use polygon::{FoundForce, FoundNumbers};
 pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::Teller;
 pub(crate) use solution::asked_construction;
+pub(crate) use solution::force_polygons;
 pub use solution::{Solution, construct};
 pub use speeds::{PitchCircle, SpeedDiagram, SpeedLine, SpeedSpot, SpeedStep, SpotName};
 pub use step::{Action, LegEquation, NumberedStep, RateEquation, WheelEquation};

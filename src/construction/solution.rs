@@ -214,6 +214,15 @@ fn with_forces(
     writer.construction
 }
 
+/// The force polygons of a position, whatever a figure shows; `None` where there are no forces.
+pub(crate) fn force_polygons(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Option<Construction> {
+    let computed = forces(mechanism, &AtPose::new(mechanism, pose))?;
+    let drawn = construct(mechanism, pose, motion, Extent::Rates);
+    let mut writer = Writer::continued(mechanism, pose, motion, drawn);
+    force_plan(&mut writer, &computed, true);
+    Some(writer.construction)
+}
+
 impl Writer<'_> {
     /// Constructs the next group: each of its special points by two rays, then the rates from measured segments.
     /// Without such a construction the rates come from the motion.

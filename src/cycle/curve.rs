@@ -124,11 +124,11 @@ impl<'a> Curves<'a> {
     fn survey(&self, name: &str, grid: &[f64]) -> Result<Survey<'a>, CycleError> {
         let path = self.path;
         let asked = QuantityRequest::new(name, &path.mechanism)?;
+        let asked = asked.for_many(&path.mechanism, || path.start_pose())?;
         if asked.written.on_paper {
             return Err(QuantityError::OnPaper(name.to_owned()).into());
         }
         asked.check_size()?;
-        asked.check_everywhere()?;
         // The scene's own position is not singular.
         check_plan_points(path, std::slice::from_ref(&asked), [path.start()].into_iter())?;
         let mut reading = Reading::new(path, asked.clone());

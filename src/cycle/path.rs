@@ -269,6 +269,11 @@ impl<'a> Path<'a> {
         self.origin
     }
 
+    /// The scene's own position; `None` where it is singular.
+    pub(super) fn start_pose(&self) -> Option<Pose> {
+        Some(self.walker().position(self.origin)?.pose())
+    }
+
     /// The lowest value of the drive that has been reached.
     #[must_use]
     pub fn low(&self) -> f64 {

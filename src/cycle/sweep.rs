@@ -44,12 +44,12 @@ impl<'a> Sweep<'a> {
         let mut seen = BTreeSet::from([path.drive.quantity.clone()]);
         names.retain(|name| seen.insert(name.clone()));
         let columns = names.iter().map(|name| QuantityRequest::new(name, mechanism));
+        let columns = columns.map(|asked| asked?.for_many(mechanism, || path.start_pose()));
         let columns: Vec<QuantityRequest> = columns.collect::<Result<_, _>>()?;
         if let Some(asked) = columns.iter().find(|asked| asked.written.on_paper) {
             let name = asked.name().to_owned();
             return Err(QuantityError::NoValue(name, crate::quantity::says::no_scale_in_table()));
         }
-        columns.iter().try_for_each(QuantityRequest::check_everywhere)?;
         let steps = steps.within(path.low(), path.high());
         // A plan point that does not exist is found in the first row with plans, before anything is written.
         let first = (0..steps.count().min(MANY)).map(|row| steps.value(row));

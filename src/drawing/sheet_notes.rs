@@ -9,7 +9,7 @@ use super::plan::on_paper::extent;
 use super::sheet::Drawing;
 use super::text::{CAPTION, RichText};
 use crate::construction::{Plan, Rate, Solution};
-use crate::quantity::{QuantityRequest, What};
+use crate::quantity::{Corners, QuantityRequest, What};
 use crate::scene::{ConstructionShown, Page, PageSize};
 use crate::sheet::{Order, Sheet};
 use crate::words::NumberStyle;
@@ -69,7 +69,7 @@ impl SheetContext<'_> {
         let between = |from: &str, to: &str| format!("{} {}", self.shown(from, plan), self.shown(to, plan));
         match &asked.what {
             What::Segment(_, [from, to]) => between(from, to),
-            What::Corners([from, to]) if asked.written.component.is_none() => between(from, to),
+            What::Corners(Corners { ends: [from, to], .. }) if asked.written.component.is_none() => between(from, to),
             What::Length(from, to) if asked.sheet() == Sheet::Scheme => between(from.name(), to.name()),
             _ => asked.symbol(self.mechanism(), &self.words.notation, &|name| self.shown(name, None)),
         }

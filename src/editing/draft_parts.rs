@@ -5,6 +5,7 @@ use serde_json::Value as Json;
 use super::draft::{DraftCircle, DraftLoad, Sketch};
 use super::present::two_numbers;
 use crate::geometry::{Point, Turn, Vector, direction_of_degrees};
+use crate::scene::LoadNames;
 
 /// The radius of the larger of two wheels with a belt whose size is not given, in parts of the distance of their centres, as in figures.
 const LARGER_WHEEL: f64 = 0.3;
@@ -60,13 +61,13 @@ impl Sketch {
 
     /// Forces and couples, in the order of the text.
     pub(super) fn loads(&self) -> Vec<DraftLoad> {
-        let mut counted = [0, 0];
-        let given = self.scene["forces"].as_array().into_iter().flatten();
-        let loads = given.filter_map(|load| {
-            let is_force = !load["force"].is_null();
-            let (letter, count) = if is_force { ("F", &mut counted[0]) } else { ("M", &mut counted[1]) };
-            *count += 1;
-            let name = load["name"].as_str().map_or_else(|| format!("{letter}{count}"), str::to_owned);
+        let listed = |key: &str| self.scene[key].as_array().into_iter().flatten();
+        let given = listed("forces").chain(listed("springs")).filter_map(|load| load["name"].as_str());
+        let mut usual = LoadNames::new(given.map(str::to_owned));
+        let loads = listed("forces").filter_map(|load| {
+            let counted = (!load["force"].is_null()).then(|| usual.force());
+            let name = load["name"].as_str().map(str::to_owned).or(counted);
+            let name = name.unwrap_or_else(|| usual.couple(load["on"].as_str().unwrap_or_default()));
             self.load(load, name)
         });
         loads.collect()

@@ -9,7 +9,9 @@ use serde_json::Value as Json;
 use super::document::{Document, Word};
 use super::says;
 use crate::construction::image_name;
-use crate::scene::{Argument, Bearer, Meaning, QuantityName, Scene, SceneError, close, meaning, pair, why_not};
+use crate::scene::{
+    Argument, Bearer, Meaning, QuantityName, Scene, SceneError, close, couple_name, meaning, pair, why_not,
+};
 
 /// What has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -34,6 +36,10 @@ pub(super) struct Names {
     on: Vec<String>,
     /// By contact: the body with its flat profile.
     faces: Vec<String>,
+    /// The links on which couples without names act.
+    couples: IndexSet<String>,
+    /// The names that loads are given.
+    of_loads: IndexSet<String>,
     /// Points with coordinates in a drawn scene; `None` for a scene from lengths.
     pub drawn: Option<Vec<String>>,
 }
@@ -44,6 +50,9 @@ impl Names {
         let links = scene["links"].as_object().into_iter().flatten().filter(|(name, _)| *name != "note");
         let sliders = scene["sliders"].as_array().into_iter().flatten();
         let contacts = || scene["contacts"].as_array().into_iter().flatten();
+        let loads = || scene["forces"].as_array().into_iter().flatten();
+        let text = |value: &Json| value.as_str().map(str::to_owned);
+        let is_unnamed_couple = |load: &Json| load["name"].is_null() && load["force"].is_null();
         let usual = |index: usize| format!("E{}", index + 1);
         // A flat profile needs no equivalent link.
         let named = contacts().enumerate().filter(|(_, contact)| contact["along"].is_null());
@@ -52,6 +61,8 @@ impl Names {
                 .map(|(index, contact)| contact["name"].as_str().map_or_else(|| usual(index), str::to_owned))
                 .collect(),
             faces: contacts().map(|contact| contact["links"][1].as_str().unwrap_or_default().to_owned()).collect(),
+            couples: loads().filter(|load| is_unnamed_couple(load)).filter_map(|load| text(&load["on"])).collect(),
+            of_loads: loads().filter_map(|load| text(&load["name"])).collect(),
             ground: keys_or_list(&scene["ground"]),
             links: links.map(|(name, link)| (name.clone(), points_of(link))).collect(),
             on: sliders.map(|slider| slider["on"].as_str().unwrap_or_default().to_owned()).collect(),
@@ -245,8 +256,15 @@ impl<'a> Renamer<'a> {
         })
     }
 
-    /// The name of a load, as `weight(2)`, `friction(3/2)` or `friction(B,2)`.
+    /// The name of a load, as `weight(2)`, `friction(3/2)` or `friction(B,2)`, or of a couple without a name of its own, as `M3`.
     fn load(&self, name: &str) -> Option<String> {
+        if self.what == Named::Link && self.names.couples.contains(self.from) && !self.names.of_loads.contains(name) {
+            // Of several on a link each has a prime more.
+            let primes: String = name.chars().skip(1).take_while(|c| *c == '\'').collect();
+            if name == couple_name(&primes, self.from) {
+                return Some(couple_name(&primes, self.to));
+            }
+        }
         let (of, link) = name.strip_suffix(')')?.split_once('(')?;
         if let Some((sliding, on)) = link.split_once('/') {
             return Some(format!("{of}({})", self.slider(sliding, on)?));

@@ -99,6 +99,8 @@ pub struct Exercises {
     /// The number of the last exercise.
     number: usize,
     seen: BTreeSet<String>,
+    /// Whether their forms ask for all arms.
+    has_arms: bool,
 }
 
 impl Exercises {
@@ -140,6 +142,7 @@ impl Exercises {
             unequal: forces::too_unequal(solution),
             number: 0,
             seen: BTreeSet::new(),
+            has_arms: false,
         };
         if is_page_open && exercises.lacks_room() {
             exercises.figure.page.size = PageSize::A3;
@@ -147,11 +150,18 @@ impl Exercises {
         Ok(exercises)
     }
 
+    /// The same exercises, whose forms ask for the arms that force polygons need, too.
+    #[must_use]
+    pub fn with_arms(self) -> Exercises {
+        Exercises { has_arms: true, ..self }
+    }
+
     /// Whether few variants can be drawn well on the sheets; the same for every seed.
     fn lacks_room(&self) -> bool {
         let mut random = Random(0);
         let variants = (0..PILOT).map(|_| varied(&self.base, &self.on_guides, &mut random).to_string());
-        let good = variants.filter(|numbers| Exercise::of(numbers, self.figure.page, Some(&self.figure)).is_ok());
+        let good = variants
+            .filter(|numbers| Exercise::of(numbers, self.figure.page, Some(&self.figure), self.has_arms).is_ok());
         good.take(FEW).count() < FEW
     }
 
@@ -179,14 +189,14 @@ impl Exercises {
     fn variant(&mut self) -> Result<Exercise, Refusal> {
         let mut file = varied(&self.base, &self.on_guides, &mut self.random);
         let numbers = file.to_string();
-        let first = Exercise::of(&numbers, self.figure.page, Some(&self.figure))?;
+        let first = Exercise::of(&numbers, self.figure.page, Some(&self.figure), self.has_arms)?;
         if !self.seen.insert(numbers) {
             return Err(Refusal::Same);
         }
         // The position and the scales that were found go into the file, which is then judged as it stands.
         self.put_near(&mut file, &first);
         self.put_figure(&mut file, &first);
-        let mut exercise = Exercise::of(&crate::format::json(&file), self.figure.page, None)?;
+        let mut exercise = Exercise::of(&crate::format::json(&file), self.figure.page, None, false)?;
         let same = exercise.solution.pose.points.iter().zip(&first.solution.pose.points);
         let size = crate::geometry::span(first.solution.pose.points.iter().copied());
         let moved = same.map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);

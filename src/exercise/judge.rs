@@ -5,7 +5,7 @@ use super::centers;
 use super::forces;
 use super::says;
 use super::sheets::{key_rows, sentences};
-use crate::check::{BANDS, asked_names, form_names};
+use crate::check::{BANDS, arm_names, asked_names, form_names, is_arm};
 use crate::construction::{Action, Construction, Rate, Solution, Tolerance};
 use crate::drawing::{
     Drawing, FigureSheets, KeyRow, RichText, drawing_sheets, exercise_scale, exercise_sheet, key_scales,
@@ -17,7 +17,7 @@ use crate::position::{pose, with_nearest_sides};
 use crate::quantity::{Pencil, QuantityRequest, What, pencil};
 use crate::scene::{Figure, Page, PageSize, ScalesFor, Scene};
 use crate::sheet::{Order, Scales, Sheet};
-use indexmap::IndexMap;
+use indexmap::{IndexMap, IndexSet};
 
 /// Largest condition number of a group: near singular positions an error of a length is enlarged many times.
 const CONDITION: f64 = 40.0;
@@ -131,8 +131,9 @@ impl Refusal {
 }
 
 impl Exercise {
-    /// The scene of that text, if it is an exercise for a sheet of that size; with the scene's figure, or with `asked`.
-    pub(super) fn of(text: &str, page: Page, asked: Option<&Figure>) -> Result<Exercise, Refusal> {
+    /// The scene of that text, if it is an exercise for a sheet of that size; with the scene's figure, or with `asked`. Its form asks for arms
+    /// if the scene's does, or if it `has_arms`.
+    pub(super) fn of(text: &str, page: Page, asked: Option<&Figure>, has_arms: bool) -> Result<Exercise, Refusal> {
         let mut scene = Scene::read(text).map_err(|_| Refusal::Numbers)?;
         scene.figure = asked.unwrap_or(&scene.figure).clone();
         // A sheet for the hand has letters for the hand, in a style for the hall too.
@@ -146,9 +147,13 @@ impl Exercise {
             return Err(Refusal::Singular);
         }
         crosses_well(&solution.construction)?;
+        // Whether a variant is an exercise does not hang on what it asks for.
+        let names = names_to_ask(&solution, has_arms);
+        let further = names.iter().filter(|name| is_arm(name)).cloned();
         let quantities: Vec<QuantityRequest> = form_names(&solution.construction)
-            .iter()
-            .map(|name| QuantityRequest::new(name, &solution.mechanism))
+            .into_iter()
+            .chain(further)
+            .map(|name| QuantityRequest::new(&name, &solution.mechanism))
             .collect::<Result<_, _>>()
             .map_err(|_| Refusal::NoConstruction)?;
         // Scheme and plans are as large as fits on the key's sheet; the scheme is smaller where the student's sheet
@@ -185,12 +190,10 @@ impl Exercise {
         centers::are_sure(&rows, &scales)?;
         forces::are_sure(&rows)?;
         key_scales(&solution, &rows).ok_or(Refusal::Sheet)?;
-        // Whether a variant is an exercise does not hang on what it asks for.
-        let names = asked_names(&solution);
-        let asked: Vec<KeyRow<'_>> =
-            rows.into_iter().filter(|row| names.iter().any(|name| name == row.asked.name())).collect();
+        let asked: Vec<KeyRow<'_>> = rows.into_iter().filter(|row| names.contains(row.asked.name())).collect();
         let to_ask = to_ask(&asked, &solution);
-        pencil.quantities.retain(|(quantity, _)| names.iter().any(|name| name == quantity.name()));
+        pencil.quantities.retain(|(quantity, _)| names.contains(quantity.name()));
+        pencil.quantities.sort_by_key(|(quantity, _)| names.get_index_of(quantity.name()));
         let quantities: Vec<QuantityRequest> = pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
         let given = sentences(&solution, &scales);
         let sheet = exercise_sheet(&students, &quantities, &given).ok_or(Refusal::Sheet)?;
@@ -236,6 +239,12 @@ fn for_students(solution: &Solution, page: Page) -> Solution {
     figure.inflection.clear();
     (figure.page, figure.worksheet) = (page, false);
     students
+}
+
+/// The names of all that a scene's form asks for; with arms where it `has_arms`.
+fn names_to_ask(solution: &Solution, has_arms: bool) -> IndexSet<String> {
+    let arms = if has_arms { arm_names(solution) } else { Vec::new() };
+    asked_names(solution).into_iter().chain(arms).collect()
 }
 
 /// The page of the key, which has the plans too: the largest size.

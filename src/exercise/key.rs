@@ -70,7 +70,9 @@ impl Exercise {
         let steps = construction.steps_of_quantities();
         let rows = key_rows(&self.solution, &self.pencil).into_iter();
         let values = rows.map(|KeyRow { asked, value, allowed }| {
-            let step = steps.get(asked.name()).map_or(0, |step| construction.step_number(*step));
+            let of_arm = || construction.step_of_number(asked.measured_arm(construction, &self.solution.mechanism)?);
+            let step = steps.get(asked.name()).copied().or_else(of_arm);
+            let step = step.map_or(0, |step| construction.step_number(step));
             (asked.name().to_owned(), KeyValue { value, unit: asked.kind().unit(scene.units), allowed, step })
         });
         KeyResult {

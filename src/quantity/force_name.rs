@@ -6,7 +6,7 @@ use super::says;
 use crate::forces::{Source, rubbed_joints};
 use crate::mechanism::{BodyId, Class, GROUND, JointId, Mechanism, PointId, Role, SliderId};
 use crate::message::Message;
-use crate::scene::{Analysis, Head, Loads};
+use crate::scene::{Analysis, Head, Loads, QuantityName};
 use crate::text::shown;
 
 /// A force, a moment, or what belongs to one.
@@ -39,6 +39,8 @@ pub enum ForceOf {
     CenterAcceleration(BodyId),
     /// The moment of a load about a place.
     LoadMoment(LoadOf, Spot),
+    /// The arm of a force: how far its line of action runs from a point.
+    Arm(Box<ForceOf>, ArmPoint),
     /// The force of a load.
     Load(LoadOf),
     /// The power of a load.
@@ -47,6 +49,15 @@ pub enum ForceOf {
     Shaking,
     /// The moment of that about a place.
     ShakingMoment(Spot),
+}
+
+/// The point about which an arm is taken.
+#[derive(Clone, Debug)]
+pub enum ArmPoint {
+    /// A named place.
+    Spot(Spot),
+    /// Where the lines of two forces cross.
+    Crossing(Box<[ForceOf; 2]>),
 }
 
 /// Which part of a joint's force is meant.
@@ -87,7 +98,9 @@ impl ForceOf {
     /// The place about which moments are taken, if any.
     pub(crate) fn about(&self) -> Option<&Spot> {
         match self {
-            ForceOf::LoadMoment(_, about) | ForceOf::ShakingMoment(about) => Some(about),
+            ForceOf::LoadMoment(_, about) | ForceOf::ShakingMoment(about) | ForceOf::Arm(_, ArmPoint::Spot(about)) => {
+                Some(about)
+            }
             _ => None,
         }
     }
@@ -164,8 +177,9 @@ pub fn force_names(mechanism: &Mechanism) -> Vec<String> {
 
 impl Finder<'_> {
     /// The force of a name, in a mechanism with loads.
-    pub(super) fn force(&self, head: Head, first: &str, second: Option<&str>) -> Result<ForceOf, QuantityError> {
-        let second = || second.ok_or_else(|| self.form());
+    pub(super) fn force(&self, head: Head, arguments: &[String]) -> Result<ForceOf, QuantityError> {
+        let first = arguments.first().map_or("", String::as_str);
+        let second = || arguments.get(1).map(String::as_str).ok_or_else(|| self.form());
         let pin_and_link = || Ok((self.pin(first)?, self.link(second()?)?));
         let force = match head {
             Head::Torque => ForceOf::Torque(self.link(first)?),
@@ -179,6 +193,13 @@ impl Finder<'_> {
             Head::FrictionCouple => pin_and_link().map(|(pin, link)| ForceOf::FrictionCouple(pin, link))?,
             Head::CenterAcceleration => ForceOf::CenterAcceleration(self.link(first)?),
             Head::LoadMoment => ForceOf::LoadMoment(self.load(first)?, self.spot(second()?)?),
+            Head::Arm => {
+                let about = match arguments.get(2) {
+                    None => ArmPoint::Spot(self.spot(second()?)?),
+                    Some(third) => ArmPoint::Crossing(Box::new([self.line(second()?)?, self.line(third)?])),
+                };
+                ForceOf::Arm(Box::new(self.line(first)?), about)
+            }
             Head::Load => ForceOf::Load(self.load(first)?),
             Head::Power => ForceOf::Power(self.load(first)?),
             Head::Shaking => ForceOf::Shaking,
@@ -195,6 +216,18 @@ impl Finder<'_> {
         };
         self.is_there(&force)?;
         Ok(force)
+    }
+
+    /// A force that has a line of action: a load by its name, or what a pin or a guide carries by that of the quantity.
+    fn line(&self, name: &str) -> Result<ForceOf, QuantityError> {
+        let of_joint = QuantityName::parse(name).filter(|parsed| {
+            let heads = [Head::Reaction, Head::ReactionAlong, Head::ReactionAcross, Head::GuideForce];
+            parsed.is_plain() && heads.contains(&parsed.head)
+        });
+        match of_joint {
+            Some(QuantityName { head, arguments, .. }) => self.force(head, &arguments),
+            None => Ok(ForceOf::Load(self.load(name)?)),
+        }
     }
 
     fn has_none(&self, why: Message) -> QuantityError {

@@ -1,10 +1,11 @@
 //! Forces in joints and drives as quantities, in a position with its rates.
 
 use super::error::QuantityError;
-use super::force_name::{ForceOf, LinePart, LoadOf, Towards};
+use super::force_name::{ArmPoint, ForceOf, LinePart, LoadOf, Towards};
 use super::name::{QuantityRequest, Spot, What};
 use super::says;
 use super::value::{Quantity, Reader, State};
+use super::ways::ForceWay;
 use crate::forces::{Compiled, Counted, Forces, Posed, Source, center};
 use crate::geometry::{Pair, Point, Several, Vector};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
@@ -38,11 +39,7 @@ impl ForceOf {
         Some(match *self {
             ForceOf::Reaction(pin, body) => Vector(forces.at_pin(mechanism, pin, body)?),
             ForceOf::ReactionPart(part, pin, body, towards) => {
-                let line = match towards {
-                    Towards::Point(other) => posed.place(other) - posed.place(pin),
-                    Towards::Guide(slider) => posed.guide(slider).quarter_turn(),
-                };
-                let line = if part == LinePart::Along { line } else { line.quarter_turn() };
+                let line = part.direction(pin, towards, posed);
                 Number(forces.at_pin(mechanism, pin, body)?.dot(line) / line.dot(line).sqrt())
             }
             ForceOf::Normal(slider) => Number(forces.normal(mechanism, slider, posed.guide(slider))),
@@ -61,6 +58,18 @@ impl ForceOf {
                 let load = load(of)?;
                 Number((load.at - about?).cross(load.force) + load.couple)
             }
+            ForceOf::Arm(ref of, ref point) => {
+                let about = match point {
+                    ArmPoint::Spot(_) => about?,
+                    ArmPoint::Crossing(lines) => {
+                        let [first, second] = lines.each_ref().map(|of| of.line(mechanism, forces, posed));
+                        crossing(first?, second?)
+                    }
+                };
+                let (at, along) = of.line(mechanism, forces, posed)?;
+                let moment = (at - about).cross(along);
+                Number(moment.larger(-moment) / along.dot(along).sqrt())
+            }
             ForceOf::Load(ref of) => Vector(load(of)?.force),
             ForceOf::Power(ref of) => {
                 let load = load(of)?;
@@ -73,20 +82,98 @@ impl ForceOf {
     }
 }
 
+impl ForceOf {
+    /// A place of its line of action and the line's direction, not of unit length; `None` of what is no force with a line. What a guide
+    /// carries has its couple beside it, so its line runs through the slider's point.
+    fn line<N: Counted>(
+        &self,
+        mechanism: &Mechanism,
+        forces: &Forces<N>,
+        posed: &impl Posed<N>,
+    ) -> Option<(Pair<N>, Pair<N>)> {
+        Some(match *self {
+            ForceOf::Load(of) => {
+                let load = forces.load(of.source, of.body)?;
+                (load.at, load.force)
+            }
+            ForceOf::Reaction(pin, body) => (posed.place(pin), forces.at_pin(mechanism, pin, body)?),
+            ForceOf::ReactionPart(part, pin, _, towards) => (posed.place(pin), part.direction(pin, towards, posed)),
+            ForceOf::Normal(slider) => {
+                let point = mechanism.joint_point(mechanism.slider_joint(slider));
+                (posed.place(point), posed.guide(slider).quarter_turn())
+            }
+            _ => return None,
+        })
+    }
+}
+
+/// A part of what a joint does to a body as a vector; `None` of what is no such part.
+pub(super) fn part_as_vector<N: Counted>(
+    of: &ForceOf,
+    on: BodyId,
+    mechanism: &Mechanism,
+    forces: &Forces<N>,
+    posed: &impl Posed<N>,
+) -> Option<Pair<N>> {
+    let (force, receives) = match *of {
+        ForceOf::ReactionPart(part, pin, body, towards) => {
+            let along = part.direction(pin, towards, posed);
+            (along * (forces.at_pin(mechanism, pin, body)?.dot(along) / along.dot(along)), body)
+        }
+        ForceOf::Normal(slider) => {
+            let guide = posed.guide(slider);
+            (guide.quarter_turn() * forces.normal(mechanism, slider, guide), mechanism.slider(slider).link)
+        }
+        _ => return None,
+    };
+    Some(if receives == on { force } else { -force })
+}
+
+impl LinePart {
+    /// The direction of this part of what a pin does, not of unit length.
+    fn direction<N: Counted>(self, pin: PointId, towards: Towards, posed: &impl Posed<N>) -> Pair<N> {
+        let line = match towards {
+            Towards::Point(other) => posed.place(other) - posed.place(pin),
+            Towards::Guide(slider) => posed.guide(slider).quarter_turn(),
+        };
+        if self == LinePart::Along { line } else { line.quarter_turn() }
+    }
+}
+
+/// Where two lines cross, each by a place and a direction: infinite or NaN where they are parallel.
+fn crossing<N: Counted>((at, along): (Pair<N>, Pair<N>), (through, other): (Pair<N>, Pair<N>)) -> Pair<N> {
+    at + along * ((through - at).cross(other) / along.cross(other))
+}
+
 impl<S: State> Reader<'_, S> {
+    /// What is read from the forces of the position, which are found once.
+    fn among_forces<T>(
+        &self,
+        compiled: &Compiled,
+        read: impl FnOnce(&Forces<f64>, &Here<'_, S>) -> Option<T>,
+    ) -> Option<T> {
+        let here = Here { mechanism: &compiled.mechanism, state: self.state };
+        let find = || compiled.forces(&here).map(Box::new);
+        match self.state.kept_forces() {
+            Some(KeptForces(kept)) => kept.get_or_init(find).as_deref().and_then(|forces| read(forces, &here)),
+            None => find().as_deref().and_then(|forces| read(forces, &here)),
+        }
+    }
+
+    /// What several forces add up to.
+    pub(super) fn along(&self, way: &ForceWay, compiled: &Compiled) -> Result<Vector, QuantityError> {
+        let found = self.among_forces(compiled, |forces, here| way.read(&compiled.mechanism, forces, here));
+        let Pair { x, y } = found.ok_or_else(|| self.asked.none(says::no_forces()))?;
+        Ok(Vector::new(x, y))
+    }
+
     /// The value of a force.
     pub(super) fn force(&self, of: &ForceOf, compiled: &Compiled) -> Result<Quantity, QuantityError> {
-        let mechanism = &compiled.mechanism;
-        let here = Here { mechanism, state: self.state };
         let about = of.about().map(|spot| self.place(spot)).transpose()?.map(|(_, place)| place.coords.into());
-        let find = || compiled.forces(&here).map(Box::new);
-        let read = |forces: &Forces<f64>| of.read(mechanism, forces, &here, about);
-        let found = match self.state.kept_forces() {
-            Some(KeptForces(kept)) => kept.get_or_init(find).as_deref().and_then(read),
-            None => find().as_deref().and_then(read),
-        };
+        let found = self.among_forces(compiled, |forces, here| of.read(&compiled.mechanism, forces, here, about));
         match found.ok_or_else(|| self.asked.none(says::no_forces()))? {
             ForceRead::Number(number) if number.is_finite() => Ok(Quantity::Number(number)),
+            ForceRead::Number(_) if matches!(of, ForceOf::Arm(..)) => Err(self.asked.none(says::no_line_of_action())),
             ForceRead::Number(_) => Err(self.asked.none(says::no_normal_force())),
             ForceRead::Vector(Pair { x, y }) => Ok(Quantity::Vector(Vector::new(x, y))),
         }

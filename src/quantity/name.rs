@@ -2,7 +2,7 @@
 
 use super::error::{Part, QuantityError, unknown};
 use super::force_name::ForceOf;
-use super::says;
+use super::ways::Corners;
 use crate::centers::{LinkPair, Permanent};
 use crate::construction::Rate;
 use crate::forces::Compiled;
@@ -60,8 +60,8 @@ pub enum What {
     Part(AccelerationPart, Spot, Spot, Option<BodyId>),
     /// A segment of the plan of velocities or of accelerations, by the names of its ends.
     Segment(Order, [String; 2]),
-    /// What lies between two corners of a force polygon, by their names.
-    Corners([String; 2]),
+    /// What lies between two corners of a force polygon.
+    Corners(Corners),
     /// The place of a pole of the motion.
     Pole(Pole),
     /// The diameter of the inflection circle of a link, by its inflection pole.
@@ -169,14 +169,6 @@ impl QuantityRequest {
         Ok(())
     }
 
-    /// Refuses what has a meaning in one position alone: corners of force polygons, which are counted as they are drawn there.
-    pub(crate) fn check_everywhere(&self) -> Result<(), QuantityError> {
-        match self.what {
-            What::Corners(_) => Err(QuantityError::NoValue(self.name.clone(), says::corners_of_one_position())),
-            _ => Ok(()),
-        }
-    }
-
     /// Its name as it was asked for.
     #[must_use]
     pub fn name(&self) -> &str {
@@ -235,7 +227,7 @@ impl Finder<'_> {
             }
             Head::Between(sheet) => match sheet.order() {
                 Some(order) => What::Segment(order, both()?.map(str::to_owned)),
-                None if sheet == Sheet::Forces => What::Corners(both()?.map(str::to_owned)),
+                None if sheet == Sheet::Forces => What::Corners(Corners::new(both()?.map(str::to_owned))),
                 // Only segments of plans are known in millimetres of paper.
                 None if sheet == Sheet::Scheme && !on_paper => {
                     let [from, to] = both()?;
@@ -264,11 +256,12 @@ impl Finder<'_> {
             | Head::FrictionCouple
             | Head::CenterAcceleration
             | Head::LoadMoment
+            | Head::Arm
             | Head::Load
             | Head::Power
             | Head::Shaking
             | Head::ShakingMoment => {
-                What::Force(self.force(*head, first, second)?, Arc::new(Compiled::new(self.mechanism)))
+                What::Force(self.force(*head, arguments)?, Arc::new(Compiled::new(self.mechanism)))
             }
         })
     }

@@ -25,7 +25,7 @@ messages! { "quantity":
     no_force_plan;
     two_polygons;
     routes_differ;
-    corners_of_one_position;
+    no_way;
     centre_at_infinity;
     centre_at_place;
     rest_on_another;
@@ -38,6 +38,7 @@ messages! { "quantity":
     no_inertia;
     no_line_of_joints;
     no_normal_force;
+    no_line_of_action;
     not_driven;
     not_at_pin;
     no_forces;

@@ -1,5 +1,6 @@
 use super::force_name::{ForceOf, LinePart, LoadOf};
 use super::name::{AccelerationPart, Pole, PoleOf, QuantityRequest, Spot, What};
+use super::ways::Corners;
 use crate::construction::{Construction, Rate};
 use crate::geometry::{with_turns, without_sense};
 use crate::mechanism::Mechanism;
@@ -50,7 +51,8 @@ impl QuantityRequest {
     pub fn needs_construction(&self) -> bool {
         let special = |spot: &Spot| matches!(spot, Spot::Special(_));
         match &self.what {
-            What::Segment(..) | What::Corners(_) => true,
+            What::Segment(..) => true,
+            What::Corners(corners) => corners.way.is_none(),
             What::Coordinate(_, spot) | What::PathRadius(spot) => special(spot),
             What::Length(a, b) | What::Part(_, a, b, _) => special(a) || special(b),
             What::Motion(_, a, b) => special(a) || b.as_ref().is_some_and(special),
@@ -89,6 +91,7 @@ impl QuantityRequest {
             | What::Length(Spot::Pole(_), _)
             | What::Length(_, Spot::Pole(_)) => Sheet::Centers,
             What::Force(ForceOf::Power(_), _) => Sheet::Lever,
+            What::Force(ForceOf::Arm(..), _) => Sheet::Scheme,
             What::Force(..) | What::Corners(_) => Sheet::Forces,
             _ => self.order().map_or(Sheet::Scheme, Order::sheet),
         }
@@ -130,10 +133,11 @@ impl QuantityRequest {
         is_offset || matches!(self.kind(), QuantityKind::Moment | QuantityKind::Power)
     }
 
-    /// Whether it is the distance of two places: a length of the scheme, or a segment of a plan.
+    /// Whether it is the distance of two places: a length of the scheme, an arm, or a segment of a plan.
     #[must_use]
     pub fn is_distance(&self) -> bool {
-        matches!(self.what, What::Segment(..) | What::Corners(_) | What::Length(..)) && self.written.component.is_none()
+        let is_between = matches!(self.what, What::Segment(..) | What::Corners(_) | What::Length(..));
+        (is_between && self.written.component.is_none()) || self.is_arm()
     }
 
     /// Whether it is a rate that is solved for or given, or follows from such rates alone: its sense is written as a sign, or not at all.
@@ -257,6 +261,11 @@ impl QuantityRequest {
                     }
                     ForceOf::CenterAcceleration(id) => plain("a", format!("cm{}", link(*id))),
                     ForceOf::LoadMoment(of, about) => plain("M", format!("{},{}", load(of), shown(about.name()))),
+                    ForceOf::Arm(..) => {
+                        // An index has none of its own.
+                        let names = self.written.arguments.iter().map(|name| shown(name).replace(['_', '{', '}'], ""));
+                        plain("h", names.collect::<Vec<_>>().join(","))
+                    }
                     ForceOf::Load(of) => Symbol { after: load(of), ..plain("", String::new()) },
                     ForceOf::Power(of) => plain("P", load(of)),
                     ForceOf::Shaking => plain("F", "s".to_owned()),
@@ -271,14 +280,16 @@ impl QuantityRequest {
                 };
                 relative("a", part, a.name(), Some(b.name()))
             }
-            What::Corners([from, to]) if is_along(Component::X) || is_along(Component::Y) => {
+            What::Corners(Corners { ends: [from, to], .. }) if is_along(Component::X) || is_along(Component::Y) => {
                 let axis = if is_along(Component::X) { "x" } else { "y" };
                 Symbol { after: format!("({} {})", shown(from), shown(to)), ..plain("F", axis.to_owned()) }
             }
-            What::Segment(_, [from, to]) | What::Corners([from, to]) if self.written.component.is_some() => {
+            What::Segment(_, [from, to]) | What::Corners(Corners { ends: [from, to], .. })
+                if self.written.component.is_some() =>
+            {
                 Symbol { after: format!("({} {})", shown(from), shown(to)), ..plain("", String::new()) }
             }
-            What::Corners([from, to]) => Symbol {
+            What::Corners(Corners { ends: [from, to], .. }) => Symbol {
                 after: format!(" ({} {})", shown(from), shown(to)),
                 ..plain(Sheet::Forces.facts().scale_symbol, String::new())
             },

@@ -10,7 +10,7 @@ use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::message::Message;
 use crate::motion::Motion;
 use crate::position::Pose;
-use crate::scene::Component;
+use crate::scene::{Component, Head, QuantityName, SceneError};
 use crate::sheet::{Order, Scales, Sheet};
 use crate::text::shown;
 use core::f64::consts::TAU;
@@ -44,6 +44,28 @@ impl Solution {
     /// name up once: [`QuantityRequest`].
     pub fn quantity(&self, name: &str) -> Result<Quantity, QuantityError> {
         QuantityRequest::new(name, &self.mechanism)?.value(&self.snapshot(), Some(&self.construction), None)
+    }
+
+    /// Refuses a scene that wants what lies between corners that its force polygons do not have.
+    ///
+    /// # Errors
+    /// As [`Solution::whole_result`]; the place is that in the scene.
+    pub(crate) fn check_corners(&self) -> Result<(), SceneError> {
+        let is_of_corners =
+            |name: &str| QuantityName::parse(name).is_some_and(|name| name.head == Head::Between(Sheet::Forces));
+        let wanted = self.scene.want.iter().flatten().enumerate().filter(|(_, name)| is_of_corners(name));
+        for (index, name) in wanted {
+            let found = QuantityRequest::new(name, &self.mechanism).and_then(|asked| match &asked.what {
+                What::Corners(corners) => {
+                    let state = &self.snapshot();
+                    Reader { asked: &asked, state, construction: Some(&self.construction) }.corners(&corners.ends)?;
+                    Ok(())
+                }
+                _ => Ok(()),
+            });
+            found.map_err(|error| self.scene.error_at(&["want", &index.to_string()], error.problem().message, None))?;
+        }
+        Ok(())
     }
 
     /// Position and motion together, from which quantities are evaluated.
@@ -120,8 +142,11 @@ impl QuantityRequest {
             What::Force(of, compiled) => reader.force(of, compiled)?,
             What::Segment(order, ends) if self.written.component.is_some() => Vector(reader.segment(*order, ends)?),
             What::Segment(order, ends) if !self.written.on_paper => Number(reader.segment(*order, ends)?.norm()),
-            What::Corners(ends) => {
-                let side = reader.corners(ends)?;
+            What::Corners(corners) => {
+                let side = match &corners.way {
+                    Some((way, compiled)) => reader.along(way, compiled)?,
+                    None => reader.corners(&corners.ends)?,
+                };
                 match self.written.component {
                     Some(_) => Vector(side),
                     None if self.written.on_paper => Number(self.on_paper(side.norm(), Sheet::Forces, scales)?),

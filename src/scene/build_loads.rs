@@ -106,7 +106,7 @@ impl NewLoad {
         NewLoad(Object::default().with("couple", &couple))
     }
 
-    /// With this name; by default F1, F2 … or M1, M2 …
+    /// With this name; by default F1, F2 … for forces, M1 for a couple on link 1, M2 for one on link 2 …
     pub fn named(self, name: &str) -> NewLoad {
         NewLoad(self.0.with("name", name))
     }

@@ -2,7 +2,7 @@
 //! all three.
 
 use self::Argument::{Link, Load, Point, Slider};
-use self::Form::{Against, Alone, Both, One, Two};
+use self::Form::{About, Against, Alone, Both, One, Two};
 use super::quantity_name::Component;
 use crate::sheet::{QuantityKind, Sheet};
 
@@ -79,6 +79,8 @@ pub enum Head {
     CenterAcceleration,
     /// The moment of a load about a point.
     LoadMoment,
+    /// The arm of a force about a point, or about the crossing of the lines of two forces.
+    Arm,
     /// The force of a load.
     Load,
     /// The power of a load.
@@ -104,7 +106,7 @@ pub enum Argument {
     Nothing,
 }
 
-/// What stands between a name's parentheses, one argument or two.
+/// What stands between a name's parentheses.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
     /// None: the name has no parentheses.
@@ -117,6 +119,8 @@ pub(super) enum Form {
     Both(Argument),
     /// Two with a comma, as in `R(B,2)`.
     Two(Argument, Argument),
+    /// Two with a comma, or three: of a force about a point, or about the crossing of the lines of two others.
+    About(Argument, Argument),
 }
 
 impl Form {
@@ -125,7 +129,7 @@ impl Form {
         match self {
             Form::Alone | Form::One(_) => None,
             Form::Against(_) | Form::Both(_) => Some("/"),
-            Form::Two(..) => Some(","),
+            Form::Two(..) | Form::About(..) => Some(","),
         }
     }
 }
@@ -167,6 +171,7 @@ impl Head {
         (Head::FrictionCouple, "M_f", Two(Point, Link), QuantityKind::Moment),
         (Head::CenterAcceleration, "a_cm", One(Link), QuantityKind::Acceleration),
         (Head::LoadMoment, "moment", Two(Load, Point), QuantityKind::Moment),
+        (Head::Arm, "arm", About(Load, Point), QuantityKind::Length),
         (Head::Load, "load", One(Load), QuantityKind::Force),
         (Head::Power, "power", One(Load), QuantityKind::Power),
         (Head::Shaking, "shaking", Alone, QuantityKind::Force),
@@ -229,8 +234,12 @@ impl Head {
     pub fn argument(self, index: usize) -> Argument {
         match self.form() {
             Form::Alone => Argument::Nothing,
-            Form::Two(_, second) if index == 1 => second,
-            Form::One(argument) | Form::Against(argument) | Form::Both(argument) | Form::Two(argument, _) => argument,
+            Form::Two(_, second) | Form::About(_, second) if index == 1 => second,
+            Form::One(first)
+            | Form::Against(first)
+            | Form::Both(first)
+            | Form::Two(first, _)
+            | Form::About(first, _) => first,
         }
     }
 
@@ -243,6 +252,9 @@ impl Head {
     /// Its arguments, from what stands between a name's parentheses; `None` where a second one is missing.
     pub(super) fn split(self, inner: &str) -> Option<Vec<&str>> {
         let form = self.form();
+        if let Form::About(..) = form {
+            return several_outside(inner, ",").filter(|parts| matches!(parts.len(), 2 | 3));
+        }
         match form.separator().and_then(|by| split_outside(inner, by)) {
             Some((first, second)) => Some(vec![first, second]),
             None => matches!(form, Form::One(_) | Form::Against(_)).then(|| vec![inner]),
@@ -255,4 +267,15 @@ fn split_outside<'t>(inner: &'t str, by: &str) -> Option<(&'t str, &'t str)> {
     let is_outside = |at: &usize| inner[..*at].matches('(').count() == inner[..*at].matches(')').count();
     let at = inner.match_indices(by).map(|(at, _)| at).find(is_outside)?;
     Some((&inner[..at], &inner[at + by.len()..]))
+}
+
+/// Splits at all separators that stand in no parentheses: `P,R_n(B,2),R_n(D,4)` into three.
+fn several_outside<'t>(inner: &'t str, by: &str) -> Option<Vec<&'t str>> {
+    let (mut parts, mut rest) = (Vec::new(), inner);
+    while let Some((part, others)) = split_outside(rest, by) {
+        parts.push(part);
+        rest = others;
+    }
+    parts.push(rest);
+    parts.iter().all(|part| !part.is_empty()).then_some(parts)
 }

@@ -5,6 +5,7 @@ use super::error::Wrong;
 use super::friction::{Friction, FrictionFile, at_least_zero};
 use super::given::GivenBy;
 use super::joint::On;
+use super::load_names::LoadNames;
 use super::names::Names;
 use super::over::{Over, OverFile};
 use super::says;
@@ -91,7 +92,7 @@ pub enum Amount {
 #[serde(deny_unknown_fields, expecting = r#"a load as { "on": "3", "at": "C", "force": [-150, 0] }"#)]
 #[schemars(rename = "load")]
 pub(super) struct LoadFile {
-    /// Its name in tables and figures; left out: F1, F2 … for forces, M1, M2 … for couples.
+    /// Its name in tables and figures; left out: F1, F2 … for forces; M1 for a couple on link 1, M2 for one on link 2 ….
     name: Option<String>,
     /// The link on which it acts.
     on: String,
@@ -280,16 +281,17 @@ pub(super) fn loads(
         };
         return Err(wrong.hint(says::add_unit_of_force()));
     }
+    let (forces, springs) = (forces.unwrap_or_default(), springs.unwrap_or_default());
+    let given = forces.iter().map(|file| &file.name).chain(springs.iter().map(|file| &file.name));
+    let mut usual = LoadNames::new(given.flatten().cloned());
     let mut taken = IndexSet::new();
     let mut loads = Vec::new();
-    // Forces and couples so far.
-    let mut counted = [0, 0];
-    for (index, file) in forces.unwrap_or_default().into_iter().enumerate() {
-        let load = places.load(file, &mut taken, &mut counted);
+    for (index, file) in forces.into_iter().enumerate() {
+        let load = places.load(file, &mut taken, &mut usual);
         loads.push(load.map_err(|wrong| wrong.inside(&["forces", &index.to_string()]))?);
     }
     let mut sprung = Vec::new();
-    for (index, file) in springs.unwrap_or_default().into_iter().enumerate() {
+    for (index, file) in springs.into_iter().enumerate() {
         let spring = places.spring(file, &mut taken, index);
         sprung.push(spring.map_err(|wrong| wrong.inside(&["springs", &index.to_string()]))?);
     }
@@ -320,7 +322,7 @@ impl Places<'_> {
         }
     }
 
-    fn load(&self, file: LoadFile, taken: &mut IndexSet<String>, counted: &mut [usize; 2]) -> Result<Load, Wrong> {
+    fn load(&self, file: LoadFile, taken: &mut IndexSet<String>, usual: &mut LoadNames) -> Result<Load, Wrong> {
         let LoadFile { name, on, at, force, couple, turns, over } = file;
         self.names.link(&["on"], &on)?;
         if force.is_none() && couple.is_none() {
@@ -337,9 +339,9 @@ impl Places<'_> {
             return Err(Wrong::key(&["turns"], message).hint(says::leave_key_out()));
         }
         let over = over.map(|over| over.read(self.names).map_err(|wrong| wrong.inside(&["over"]))).transpose()?;
-        let (letter, count) = if force.is_some() { ("F", &mut counted[0]) } else { ("M", &mut counted[1]) };
-        *count += 1;
-        let name = own_name(name, letter, *count, taken)?;
+        let counted = force.as_ref().map(|_| usual.force());
+        let name = name.or(counted).unwrap_or_else(|| usual.couple(&on));
+        let name = own_name(name, taken)?;
         let force = force.map_or([0.0; 2], |Vector(force)| force);
         Ok(Load { name, on, at, force, couple: couple.unwrap_or(0.0), turns: turns.unwrap_or(false), over })
     }
@@ -357,7 +359,8 @@ impl Places<'_> {
         if ends[0].on == ends[1].on {
             return Err(Wrong::value(&["between"], says::spring_within_link()).hint(says::spring_between_links()));
         }
-        Ok(Spring { name: own_name(name, "K", index + 1, taken)?, ends, rate, length })
+        let name = name.unwrap_or_else(|| format!("K{}", index + 1));
+        Ok(Spring { name: own_name(name, taken)?, ends, rate, length })
     }
 
     fn end(&self, EndFile(on, at): EndFile) -> Result<SpringEnd, Wrong> {
@@ -376,9 +379,8 @@ impl Places<'_> {
     }
 }
 
-/// The given name of a load, or its letter and number; each stands once.
-fn own_name(given: Option<String>, letter: &str, number: usize, taken: &mut IndexSet<String>) -> Result<String, Wrong> {
-    let name = given.unwrap_or_else(|| format!("{letter}{number}"));
+/// The name of a load, if it may be one; each stands once.
+fn own_name(name: String, taken: &mut IndexSet<String>) -> Result<String, Wrong> {
     if name.trim().is_empty() || name.contains(['(', ')', ',']) {
         return Err(Wrong::value(&["name"], says::load_name(shown(&name))).hint(says::other_load_name()));
     }

@@ -96,7 +96,8 @@ impl QuantityName {
             | Head::InflectionDiameter
             | Head::AccelerationPole
             | Head::PathRadius
-            | Head::GuideOffset => true,
+            | Head::GuideOffset
+            | Head::Arm => true,
             // Forces hang on inertia.
             _ => matches!(
                 self.head.kind(),

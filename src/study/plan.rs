@@ -84,8 +84,10 @@ impl StudyFile {
             if asked.written.on_paper {
                 return self.refuse(&["want", name], "a study has no paper", Some("the name without `/mu`"));
             }
-            let is_of_all = asked.check_size().and_then(|()| asked.check_everywhere());
-            is_of_all.map_err(|error| refused(self, &["want", name], &error.problem()))?;
+            let in_scene = || posed(&scene).ok().map(|(_, pose)| pose);
+            // Each mechanism has its own polygons; the scene has these corners, at least.
+            let known = asked.check_size().and_then(|()| asked.clone().for_many(&mechanism, in_scene));
+            known.map_err(|error| refused(self, &["want", name], &error.problem()))?;
             wanted.push(Wanted { name: name.clone(), asked, figures: figures.clone() });
         }
         let task = Task { range, wanted, errors: self.keys.bounds, at_steps: self.keys.at_steps };

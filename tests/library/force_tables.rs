@@ -92,7 +92,7 @@ fn a_slider_crank_with_all_loads_is_as_one_by_one() {
     let scene = slider_crank();
     let forces = ["R(B,2)", "R(C,3).x", "N(3/ground)", "M(3/ground)", "R(A,ground).size", "shaking", "R_n(B,2)"];
     are_as_solved(scene.clone(), "1", [10.0, 370.0], &forces);
-    let moments = ["T(1)", "moment(F1,A)", "shaking(A)", "M_i(2)", "power(F2)", "power(K1(2))", "power(M1)"];
+    let moments = ["T(1)", "moment(F1,A)", "shaking(A)", "M_i(2)", "power(F2)", "power(K1(2))", "power(M3)"];
     are_as_solved(scene, "1", [10.0, 370.0], &moments);
 }
 
@@ -118,4 +118,41 @@ fn groups_of_higher_class_are_as_one_by_one() {
     let names = [format!("R({pin},{link})"), format!("F_i({other})")];
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     are_as_solved(scene, "1", [angle - 5.0, angle + 5.0], &names);
+}
+
+/// Between corners is a sum of forces in every position: by the equations what the polygons drawn there have, as long as they begin with the
+/// same forces.
+#[test]
+fn corners_of_polygons_are_as_one_by_one() {
+    let mut scene = slider_crank();
+    scene["figure"] = json!({ "panels": ["scheme", "forces"] });
+    // No load is there in one position and not in another.
+    for load in scene["forces"].as_array_mut().expect("forces") {
+        load.as_object_mut().expect("a load").remove("over");
+    }
+    let corners = ["fplan(o1,c1).x", "fplan(o1,c1).y", "fplan(o1,d1)", "fplan(b1,e1).y", "fplan(o2,a2).x"];
+    are_as_solved(scene, "1", [10.0, 370.0], &corners);
+}
+
+/// A load that is nothing somewhere leaves no gap: what lies between the corners goes on, as the sum of what is left.
+#[test]
+fn corners_have_values_where_a_load_is_nothing() {
+    let mut scene: Value = serde_json::from_str(&files::read("templates/slider-crank.json")).expect("a scene");
+    scene["units"] = json!({ "length": "mm", "time": "s", "force": "N" });
+    scene["analysis"] = json!("static");
+    let over = json!({ "of": "angle(1)", "table": [[0, 1], [90, 1], [180, 0], [270, 0], [360, 1]] });
+    scene["forces"] = json!([{ "name": "P", "on": "3", "at": "C", "force": [-200, 0], "over": over }]);
+    scene["figure"] = json!({ "panels": ["scheme", "forces"] });
+    let solution = solved(&scene.to_string()).expect("it can be solved");
+    let drive = Drive::new(&solution.mechanism, None).expect("a drive");
+    let mut path = Path::new(&solution.mechanism, &solution.pose, drive).expect("regular");
+    path.cover(Some(0.0), Some(360.0)).expect("a turn");
+    let names = ["fplan(o1,a1).x", "load(P).x"].map(str::to_owned);
+    let sweep = Sweep::new(&path, Steps::new(0.0, 360.0, 15.0).expect("steps"), Some(&names)).expect("corners");
+    for row in sweep.rows(0..sweep.steps.count()).chunks(3) {
+        let [at, corner, load] = [row[0], row[1], row[2]].map(|x| x.unwrap_or_else(|| panic!("{row:?}")));
+        assert!((corner - load).abs() <= 1e-12 * 200.0, "at {at}: {corner}, not {load}");
+    }
+    let wrong = Sweep::new(&path, Steps::new(0.0, 9.0, 1.0).expect("steps"), Some(&["fplan(o1,z1)".to_owned()]));
+    assert!(wrong.expect_err("no corner").to_string().contains("z1"));
 }

@@ -14,6 +14,7 @@
 //! - Lines to poles: `kennedy` holds instant centres by Kennedy's lines to independent digits and to the motion, and finds them for all chains of four, six and eight
 //!   links with the fewest crossings.
 //!   `by_centers` holds velocities and centres of curvature by them to the motion and to closed forms; `centers_drawn` reads their symbols on figures and in steps.
+//!   `arms` holds the arms of forces to these digits, and sees forms ask for them.
 //!   `centers_checked` holds forms of centres to independent digits, `forces_checked` those of forces, with their mistakes and exercises.
 //! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles, `studies` the assemblies of a study's mechanisms to those of each by itself; `planted_modes` and
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
@@ -60,6 +61,7 @@
 
 mod accuracy;
 mod architecture;
+mod arms;
 mod assemblies;
 mod bad_scenes;
 mod board_shown;

@@ -235,7 +235,7 @@ fn what_lies_between_corners_is_the_force_there() {
     assert!(whole > 300 && parts > 80 && bounded * 10 > 9 * (whole + parts), "{whole} {parts} {bounded}");
 }
 
-/// Corners of two polygons, of no polygon, and of a figure without a force plan have nothing between them; nor is there a curve of what does.
+/// Corners of two polygons, of no polygon, and of a figure without a force plan have nothing between them.
 #[test]
 fn corners_have_a_meaning_in_one_polygon_and_one_position() {
     let scene = crate::forces::cases().swap_remove(0)["scene"].clone();

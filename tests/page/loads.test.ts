@@ -71,7 +71,7 @@ test("cards have the names that results have", () => {
   assert.equal(group.folded, false);
   assert.equal(loads(scene()).folded, true);
   const cards = group.cards ?? [];
-  assert.deepEqual(cards.slice(1).map(({ title }) => title), ["F1", "M1", "F2", "K1"]);
+  assert.deepEqual(cards.slice(1).map(({ title }) => title), ["F1", "M2", "F2", "K1"]);
   const fields = (): Field[] => cards.flatMap((card) => [...card.line(), ...card.rows()]).flatMap((row) => row.fields);
   const paths = new Set(fields().map(({ path }) => path.join(".")));
   for (const path of ["links.2.mass", "links.2.inertia", "links.2.center", "forces.0.force.0", "forces.0.turns", "forces.1.couple", "springs.0.rate", "springs.0.between.1.1"]) assert.ok(paths.has(path), path);

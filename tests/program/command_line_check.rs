@@ -1,6 +1,8 @@
 //! `kinegon check` from outside: forms, verdicts, exit codes, and values that nobody can understand.
 
+use serde_json::{Value, json};
 use std::process::Output;
+use support::files;
 use support::program::{kinegon, scratch, stderr};
 
 const SCENE: &str = "examples/figure-2.json";
@@ -341,4 +343,57 @@ fn forms_and_sheets_have_the_same_names() {
     let output = check("points-english.json", &points, &["--notation", "english"]);
     let said = String::from_utf8(output.stdout).expect("text");
     assert!(said.contains("o b ") && !said.contains("vplan"), "{said}");
+}
+
+/// A template has boxes for arms where it is to, each before what its moment finds; a figure without force polygons has none.
+#[test]
+fn arms_are_asked_for_by_an_option() {
+    let folder = scratch("check-arms");
+    let mut scene: Value = serde_json::from_str(&files::read("templates/four-bar.json")).expect("a scene");
+    scene["units"] = json!({ "length": "mm", "time": "s", "mass": "kg", "force": "N" });
+    scene["analysis"] = json!("static");
+    scene["forces"] = json!([{ "name": "P", "on": "2", "at": 60, "force": { "size": 150, "angle": 250 } }]);
+    scene["figure"] = json!({ "panels": ["scheme", "forces"] });
+    let file = folder.join("scene.json");
+    std::fs::write(&file, scene.to_string()).expect("it can be written");
+    let template = |more: &[&str]| {
+        let output =
+            kinegon().arg("check").arg(&file).args(["--template", "json"]).args(more).output().expect("it starts");
+        assert!(output.status.success(), "{}", stderr(&output));
+        let form: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        form["values"].as_object().expect("values").keys().cloned().collect::<Vec<_>>()
+    };
+    let (usual, with) = (template(&[]), template(&["--arms"]));
+    let (arms, others): (Vec<String>, Vec<String>) = with.into_iter().partition(|name| name.starts_with("arm("));
+    assert_eq!(others, usual);
+    assert!(arms.contains(&"arm(P,C)".to_owned()) && arms.contains(&"arm(R_t(B,2),C)".to_owned()), "{arms:?}");
+    let refused = kinegon().args(["check", SCENE, "--template", "--arms"]).output().expect("it starts");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(stderr(&refused).contains("no force polygons"), "{}", stderr(&refused));
+}
+
+/// Corners that the force polygons do not have are refused alike, whatever is made of the scene; whoever asks for other panels does without.
+#[test]
+fn corners_that_are_not_there_are_refused_everywhere() {
+    let folder = scratch("corners");
+    let mut scene: Value = serde_json::from_str(&files::read("templates/four-bar.json")).expect("a scene");
+    scene["units"] = json!({ "length": "mm", "time": "s", "mass": "kg", "force": "N" });
+    scene["analysis"] = json!("static");
+    scene["forces"] = json!([{ "name": "P", "on": "2", "at": 60, "force": { "size": 150, "angle": 250 } }]);
+    scene["figure"] = json!({ "panels": ["scheme", "forces"] });
+    scene["want"] = json!(["omega(3)", "fplan(o1,z9)"]);
+    let file = folder.join("scene.json");
+    std::fs::write(&file, serde_json::to_string_pretty(&scene).expect("JSON")).expect("it can be written");
+    let said = |arguments: &[&str]| {
+        let output = kinegon().arg(arguments[0]).arg(&file).args(&arguments[1..]).current_dir(&folder).output();
+        let output = output.expect("it starts");
+        (output.status.code(), stderr(&output))
+    };
+    let (code, solved) = said(&["solve"]);
+    assert!(code == Some(2) && solved.contains("z9") && solved.contains("scene.json"), "{solved}");
+    for command in [&["draw", "-o", "x.svg"][..], &["steps"], &["check", "--template"]] {
+        assert_eq!(said(command), (Some(2), solved.clone()), "{command:?}");
+    }
+    let (code, said) = said(&["draw", "--focus", "scheme", "-o", "x.svg"]);
+    assert_eq!(code, Some(0), "{said}");
 }

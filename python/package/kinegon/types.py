@@ -272,7 +272,7 @@ class Load(TypedDict):
     """A force or a couple on a link, in the file."""
 
     name: NotRequired[str]
-    """Its name in tables and figures; left out: F1, F2 … for forces, M1, M2 … for couples."""
+    """Its name in tables and figures; left out: F1, F2 … for forces; M1 for a couple on link 1, M2 for one on link 2 …."""
     on: str
     """The link on which it acts."""
     at: NotRequired[LinkPlace]

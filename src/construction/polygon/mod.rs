@@ -4,7 +4,7 @@
 //!
 //! In reading order: `statics` (forces with their lines of action, arms, moments), `sides` (polygons, side by side), `leg` (the part of an
 //! outer joint's force that one link alone tells), `second`, `third` and `fourth` (groups of these classes), `wheels` (the force between teeth), `guides` (couples in guides), `drive`
-//! (driven links and sliders), `named` (the numbers and names of what is found), `corners` (the names of corners), `compared`, `told` (captions, symbols).
+//! (driven links and sliders), `named` (the numbers and names of what is found), `corners` (the names of corners), `arms` (those of arms), `compared`, `told` (captions, symbols).
 //!
 //! # One rule for pins and guides
 //!
@@ -16,6 +16,7 @@
 //! both outer joints and the lines of both closure links, by Ritter's moment. These lines are the cut lines of the velocity plan
 //! (O. Shai, G. R. Pennock, J. Mech. Des. 128, 2006).
 
+mod arms;
 mod compared;
 mod corners;
 mod drive;
@@ -31,6 +32,7 @@ mod told;
 mod wheels;
 
 use super::constructed::Agreement;
+use super::number::NumberId;
 use super::operation::PlaceId;
 use super::step::Action;
 use super::writer::Writer;
@@ -207,6 +209,8 @@ pub struct ForceArm {
     pub line: [Point; 2],
     /// Its length.
     pub length: f64,
+    /// What is measured: the length with a sign, positive where the force turns counter-clockwise.
+    pub(crate) number: NumberId,
 }
 
 /// What a sum of moments tells.

@@ -152,6 +152,16 @@ fn whole_name(mechanism: &Mechanism, joint: JointId, on: BodyId) -> Option<Name>
     Some(Name::Vector(format!("R({},{})", mechanism.point_name(pin), mechanism.body(on).name)))
 }
 
+/// The name of a force whose line of action is that of a joint's force or of a part of it; none of a load, and of what has no name.
+pub(super) fn line_name(mechanism: &Mechanism, of: ForceOf) -> Option<String> {
+    match of {
+        ForceOf::Joint { joint, on, part: ForcePart::Whole } => {
+            whole_name(mechanism, joint, on).map(|(Name::Vector(name) | Name::Number(name))| name)
+        }
+        of => part_name(mechanism, of),
+    }
+}
+
 pub(super) fn part_name(mechanism: &Mechanism, of: ForceOf) -> Option<String> {
     let ForceOf::Joint { joint, on, part } = of else { return None };
     if mechanism.joint(joint).slider.is_some() {

@@ -253,7 +253,7 @@ impl<'w, 'a> Statics<'w, 'a> {
     }
 
     fn shown_arm(&self, of: ForceOf, line: [PlaceId; 2], arm: NumberId) -> ForceArm {
-        ForceArm { of, line: line.map(|place| self.point(place)), length: self.number(arm).abs() }
+        ForceArm { of, line: line.map(|place| self.point(place)), length: self.number(arm).abs(), number: arm }
     }
 
     /// Finds a force along a line from the moments of links about a place. `Some(None)` where nothing has a moment.

@@ -2,12 +2,13 @@
 
 use super::{Reader, Sense, Unread, measured_as};
 use crate::construction::{
-    Along, Equation, ForceOf as Drawn, ForcePart, LoadShown, MeasuredAs, NumberId, NumberKind, OperationRole, Product,
+    Along, Construction, Equation, ForceOf as Drawn, ForcePart, LoadShown, MeasuredAs, MomentPoint, NumberId,
+    NumberKind, OperationRole, Product,
 };
 use crate::forces::{Driven, Source};
-use crate::mechanism::{BodyId, JointId, PointId, SliderId};
-use crate::quantity::force_name::{ForceOf, LinePart, LoadOf};
-use crate::quantity::name::QuantityRequest;
+use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
+use crate::quantity::force_name::{ArmPoint, ForceOf, LinePart, LoadOf};
+use crate::quantity::name::{QuantityRequest, Spot, What};
 use crate::scene::Component;
 use crate::sheet::Sheet;
 
@@ -41,6 +42,11 @@ impl Reader<'_> {
                     Some((number, sign)) => Ok((self.signed(number, sign), Sense::Signed)),
                     None => Ok((self.on_lever(Driven::Slider(slider)).ok_or(Unread::NotDrawn)?, Sense::Signed)),
                 }
+            }
+            ForceOf::Arm(..) => {
+                let mechanism = self.writer.mechanism;
+                let arm = asked.measured_arm(&self.writer.construction, mechanism).ok_or(Unread::NotDrawn)?;
+                Ok((arm, Sense::Magnitude))
             }
             ForceOf::Power(load) => Ok((self.power(load)?, Sense::Signed)),
             _ => Err(Unread::NotDrawn),
@@ -85,14 +91,10 @@ impl Reader<'_> {
     /// A part of what a pin does to a link, along the line of its two joints or across.
     fn part_of_reaction(&self, part: LinePart, pin: PointId, body: BodyId) -> Result<NumberId, Unread> {
         let mechanism = self.writer.mechanism;
-        let is_meant = |kind: ForcePart| match part {
-            LinePart::Along => matches!(kind, ForcePart::Normal | ForcePart::AcrossGuide),
-            LinePart::Across => matches!(kind, ForcePart::Tangential | ForcePart::AlongGuide),
-        };
         let is_it = |of: &Drawn| match of {
-            Drawn::Joint { joint, part, .. } => {
+            Drawn::Joint { joint, part: drawn, .. } => {
                 let joint = mechanism.joint(*joint);
-                joint.pin == Some(pin) && joint.bodies.contains(&body) && is_meant(*part)
+                joint.pin == Some(pin) && joint.bodies.contains(&body) && part.is_drawn_as(*drawn)
             }
             _ => false,
         };
@@ -174,5 +176,62 @@ impl Reader<'_> {
         let kind = NumberKind::Reading(asked.name().to_owned());
         let found = self.writer.solve(Sheet::Forces, vec![kind], vec![equation]).ok_or(Unread::NotDrawn)?;
         Ok((*found.first().ok_or(Unread::NotDrawn)?, Sense::Signed))
+    }
+}
+
+impl LinePart {
+    /// Whether a part of a joint's force in a plan is this one.
+    fn is_drawn_as(self, part: ForcePart) -> bool {
+        match self {
+            LinePart::Along => matches!(part, ForcePart::Normal | ForcePart::AcrossGuide),
+            LinePart::Across => matches!(part, ForcePart::Tangential | ForcePart::AlongGuide),
+        }
+    }
+}
+
+impl QuantityRequest {
+    /// The number by which a force plan has an arm; `None` of other quantities, and of arms that it does not need.
+    pub(crate) fn measured_arm(&self, construction: &Construction, mechanism: &Mechanism) -> Option<NumberId> {
+        let What::Force(ForceOf::Arm(of, about), _) = &self.what else { return None };
+        let plan = construction.forces.as_deref()?;
+        let is_line = |of: &ForceOf, drawn: Drawn| of.has_line_of(drawn, &plan.loads, mechanism);
+        let is_point = |point: MomentPoint| match (about, point) {
+            (ArmPoint::Spot(Spot::Point(_, own, _)), MomentPoint::Joint(point)) => *own == point,
+            (ArmPoint::Crossing(lines), MomentPoint::Crossing([first, second])) => {
+                let are = |first, second| is_line(&lines[0], first) && is_line(&lines[1], second);
+                are(first, second) || are(second, first)
+            }
+            _ => false,
+        };
+        let mut arms = plan.arms();
+        arms.find(|(moment, arm)| is_point(moment.about) && is_line(of, arm.of)).map(|(_, arm)| arm.number)
+    }
+
+    /// Whether it is the arm of a force.
+    pub(crate) fn is_arm(&self) -> bool {
+        matches!(self.what, What::Force(ForceOf::Arm(..), _))
+    }
+}
+
+impl ForceOf {
+    /// Whether it has the line of action of a force in a plan: what a joint does to one link and to the other has one line.
+    fn has_line_of(&self, drawn: Drawn, loads: &[LoadShown], mechanism: &Mechanism) -> bool {
+        match (self, drawn) {
+            (ForceOf::Load(load), Drawn::Load(index)) => {
+                loads.get(index).is_some_and(|own| own.source == load.source && own.body == load.body)
+            }
+            (ForceOf::Reaction(pin, body), Drawn::Joint { joint, part: ForcePart::Whole, .. }) => {
+                let joint = mechanism.joint(joint);
+                joint.pin == Some(*pin) && joint.bodies.contains(body)
+            }
+            (ForceOf::ReactionPart(part, pin, body, _), Drawn::Joint { joint, part: drawn, .. }) => {
+                let joint = mechanism.joint(joint);
+                joint.pin == Some(*pin) && joint.bodies.contains(body) && part.is_drawn_as(drawn)
+            }
+            (ForceOf::Normal(slider), Drawn::Joint { joint, part, .. }) => {
+                joint == mechanism.slider_joint(*slider) && part != ForcePart::AlongGuide
+            }
+            _ => false,
+        }
     }
 }

@@ -135,7 +135,7 @@ impl Reader<'_> {
             What::PathRadius(_) => {
                 return Err(Unread::NotDrawn);
             }
-            What::Corners(ends) => return self.corners(asked, ends),
+            What::Corners(corners) => return self.corners(asked, &corners.ends),
             What::Segment(order, _) if !self.draws(*order) => return Err(Unread::NoSheet(order.sheet())),
             What::Segment(order, ends) if asked.written.component.is_some() => {
                 return self.direction(*order, ends, name);

@@ -106,3 +106,16 @@ fn names_that_cannot_be_are_refused() {
     assert_eq!(rename(text, Named::Point, "B", "B").expect("nothing to do"), text);
     assert!(Scene::read(text).is_ok());
 }
+
+/// A couple without a name has that of its link, which changes with it; one of the scene's own names stays.
+#[test]
+fn a_couple_is_called_by_its_link_under_its_new_name() {
+    let scene = |link: &str, index: &str| {
+        format!(
+            r#"{{ "kinegon": 1, "links": {{ "1": ["A", "B"], "{link}": ["B", "C"] }}, "forces": [{{ "on": "{link}", "couple": 5 }}, {{ "name": "M1", "on": "{link}", "couple": 5 }}], "want": ["power(M{index})", "power(M'{index})", "moment(M{index},A)", "power(M1)"] }}"#
+        )
+    };
+    assert_eq!(renamed(&scene("3", "3"), Named::Link, "3", "7"), scene("7", "7"));
+    assert_eq!(renamed(&scene("3", "3"), Named::Link, "3", "rod"), scene("rod", "_rod"));
+    assert_eq!(renamed(&scene("3", "3"), Named::Link, "1", "8"), scene("3", "3").replace("\"1\"", "\"8\""));
+}

@@ -2637,7 +2637,7 @@ export interface SceneContact {
  */
 export interface SceneLoad {
   /**
-   * Its name in tables and figures; left out: F1, F2 … for forces, M1, M2 … for couples.
+   * Its name in tables and figures; left out: F1, F2 … for forces; M1 for a couple on link 1, M2 for one on link 2 ….
    */
   name?: string;
   /**

@@ -84,11 +84,16 @@ export function gestures(app: Shown, sight: Signal<View>, show: (picture: Pictur
     let flight: Promise<void> | null = null;
     let isOver = false;
 
+    /** What is answered after the end is not shown: it would wait for the next frame, and could cover the document's picture. */
+    const shown = (picture: Picture, pulled: number): void => {
+      if (!isOver) present(picture, pulled);
+    };
+
     /** Another step is shown while something is held: it is let go and taken again on the sheet of that step. */
     async function follow(): Promise<void> {
       view = sight.value;
       const at = performance.now();
-      present(await app.engine.grab(await app.engine.drop(), view, what), at);
+      shown(await app.engine.grab(await app.engine.drop(), view, what), at);
     }
 
     async function pump(): Promise<void> {
@@ -97,7 +102,7 @@ export function gestures(app: Shown, sight: Signal<View>, show: (picture: Pictur
         if (wanted === null) break;
         const { to, at } = wanted;
         wanted = null;
-        present(await app.engine.drag(to), at);
+        shown(await app.engine.drag(to), at);
       }
       flight = null;
     }
@@ -159,7 +164,7 @@ export function gestures(app: Shown, sight: Signal<View>, show: (picture: Pictur
     };
     current = gesture;
     try {
-      present(await app.engine.grab(good, view, what), performance.now());
+      shown(await app.engine.grab(good, view, what), performance.now());
     } catch (why) {
       failed(why as Refused);
       return null;

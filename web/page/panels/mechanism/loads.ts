@@ -158,11 +158,24 @@ function onLink(scene: Draft, path: Path, place: Path, bodies: string[]): Field 
 
 /** The cards of forces and couples, under the names that they have by themselves or are given. */
 function forceCards(scene: Draft): Card[] {
-  const counted = { F: 0, M: 0 };
-  return listOf(scene, "forces").map((load, index) => {
-    const letter = at(load, ["force"]) === undefined ? "M" : "F";
-    counted[letter] += 1;
-    return forceCard(scene, load, index, `${letter}${counted[letter]}`);
+  const names = usualNames(scene);
+  return listOf(scene, "forces").map((load, index) => forceCard(scene, load, index, names[index]!));
+}
+
+/** The names that forces and couples have by themselves: forces F1, F2 …, couples by their links, with a prime for each that has the name already. */
+function usualNames(scene: Draft): string[] {
+  const loads = listOf(scene, "forces");
+  const taken = new Set([...loads, ...listOf(scene, "springs")].map((load) => at(load, ["name"])));
+  let forces = 0;
+  return loads.map((load) => {
+    if (at(load, ["force"]) !== undefined) return `F${++forces}`;
+    const on = String(at(load, ["on"]) ?? "").replace(/[(),]/g, "");
+    const index = /^[0-9]*$/.test(on) ? on : `_${on}`;
+    let primes = "";
+    while (taken.has(`M${primes}${index}`)) primes += "'";
+    const name = `M${primes}${index}`;
+    if (at(load, ["name"]) === undefined) taken.add(name);
+    return name;
   });
 }
 
