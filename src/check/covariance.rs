@@ -2,8 +2,8 @@
 //! covariance that its honest errors give the values.
 
 use super::mistakes::{Amount, Free};
-use super::model::{COMPUTING, Changes, GROUPS, Model, PLOTTED, TOGETHER};
-use crate::construction::{Change, NumberId, Tolerance, Values};
+use super::model::{COMPUTING, Changes, GROUPS, LEANING, Model, PLOTTED, TOGETHER, in_order};
+use crate::construction::{Change, ComingRound, Disturbance, NumberId, Rubbed, Tolerance, Values, pressing_off};
 use crate::geometry::{with_turns, without_sense};
 use crate::sheet::QuantityKind;
 
@@ -117,17 +117,17 @@ impl Hand {
 
     /// The size of its largest errors of drawing and measuring, in parts of the tolerance.
     pub fn worst(&self) -> f64 {
-        self.errors[..COMPUTING].iter().copied().fold(0.0, f64::max)
+        self.errors[..LEANING].iter().copied().fold(0.0, f64::max)
     }
 
     /// Whether its errors are as large as those of drawings by hand.
     pub fn is_by_hand(&self) -> bool {
-        self.errors[..COMPUTING].iter().all(|&s| s == 0.0 || s >= BY_HAND)
+        self.errors[..LEANING].iter().all(|&s| s == 0.0 || s >= BY_HAND)
     }
 
     /// Its cost, −2 ln of its prior probability. A kind of errors of size zero is left out: it is not a better hand.
     pub fn cost(&self) -> f64 {
-        let sizes = self.errors[..COMPUTING].iter().filter(|s| **s > 0.0);
+        let sizes = self.errors[..LEANING].iter().filter(|s| **s > 0.0);
         let better: f64 = sizes.map(|s| -BETTER * libm::log10(s.min(1.0))).sum();
         let worse = WORSE * libm::log2(self.worst().max(1.0));
         let slipping = if self.errors[COMPUTING] > 0.0 { SLIPPING } else { 0.0 };
@@ -147,7 +147,7 @@ pub(super) struct Covariances {
     pub used: Vec<bool>,
 }
 
-/// By kind of errors: the covariance matrix of the values at the tolerance.
+/// By kind of errors: the covariance matrix of the values at the tolerance; that of what leans is empty where nothing rubs.
 pub(super) type Groups = [Vec<f64>; GROUPS];
 
 /// Part of its rounding's variance that a value keeps for itself where later operations use it as written: the rounding
@@ -262,14 +262,33 @@ const DEVIATION: f64 = 0.577_350_269_189_625_8;
 /// The covariances that the errors of hands cause, whatever digits are written.
 fn of_hands(effects: &mut Effects<'_>, tolerance: &Tolerance) -> Groups {
     let (model, count) = (effects.model, effects.exact.len());
-    let mut groups: Groups = core::array::from_fn(|_| vec![0.0; count * count]);
+    let mut groups: Groups = core::array::from_fn(|kind| vec![0.0; if kind == LEANING { 0 } else { count * count }]);
     let mut plotted: Vec<Vec<f64>> = Vec::new();
+    let friction = effects.friction();
     for (operation, which, limit, group) in model.errors(tolerance) {
         let change = |_: &Values| Change::Error(which, STEP * limit);
         let column = effects.of(operation, change, DEVIATION / STEP);
-        add_outer(&mut groups[group], column);
-        if group == PLOTTED {
-            plotted.push(column.to_vec());
+        let plot = match &friction {
+            None => {
+                add_outer(&mut groups[group], column);
+                (group == PLOTTED).then(|| column.to_vec())
+            }
+            Some((rubbed, coming_round)) => {
+                let own = column.to_vec();
+                let [this, other] = coming_round.with(&own, &effects.pressing_off(rubbed, DEVIATION / STEP));
+                add_outer(&mut groups[group], &this);
+                add_outer(&mut groups[group], &other);
+                (group == PLOTTED).then_some(this)
+            }
+        };
+        plotted.extend(plot);
+    }
+    if let Some((rubbed, coming_round)) = &friction {
+        for (joint, own) in rubbed.iter().enumerate() {
+            let part = own.drawn(model.scales, tolerance) * DEVIATION;
+            let column: Vec<f64> = coming_round.of_joint(joint).iter().map(|x| x * part).collect();
+            groups[LEANING].resize(count * count, 0.0);
+            add_outer(&mut groups[LEANING], &column);
         }
     }
     let mut column = vec![0.0; count];
@@ -284,6 +303,32 @@ fn of_hands(effects: &mut Effects<'_>, tolerance: &Tolerance) -> Groups {
     }
     add_slips(&mut groups[COMPUTING], effects);
     groups
+}
+
+/// An error of a hand, and by how much its standard deviation at the tolerance changes the values.
+pub(super) struct ErrorEffect {
+    pub operation: usize,
+    pub which: usize,
+    /// Its standard deviation at the tolerance, in mm or degrees.
+    pub deviation: f64,
+    pub group: usize,
+    pub column: Vec<f64>,
+}
+
+/// All errors of hands with their effects on drawings with these changes.
+pub(super) fn effects_of_errors(
+    model: &Model,
+    tolerance: &Tolerance,
+    data: &[Datum],
+    variants: &Variants,
+) -> Vec<ErrorEffect> {
+    let mut effects = Effects::new(model, data, variants);
+    let effect = |(operation, which, limit, group)| {
+        let change = |_: &Values| Change::Error(which, STEP * limit);
+        let column = effects.of(operation, change, DEVIATION / STEP).to_vec();
+        ErrorEffect { operation, which, deviation: DEVIATION * limit, group, column }
+    };
+    model.errors(tolerance).into_iter().map(effect).collect()
 }
 
 /// Adds the effects of slips in computed numbers, and of those in turning millimetres into values.
@@ -329,15 +374,51 @@ impl<'a> Effects<'a> {
         Effects { model, data, variants, bases, column: exact.clone(), exact, scratch }
     }
 
+    /// The joints that rub, and how errors come round by their friction; none where nothing rubs.
+    fn friction(&mut self) -> Option<(Vec<Rubbed>, ComingRound)> {
+        let rubbed = self.model.construction.rubbed();
+        if rubbed.is_empty() {
+            return None;
+        }
+        let (mut of_values, mut of_pressing) = (Vec::new(), Vec::new());
+        for own in &rubbed {
+            let more = own.taken.iter().filter_map(|&number| {
+                let operation = self.model.makers[number.0]?;
+                Some(Disturbance { operation, change: Change::Times(number, 1.0 + NUDGE) })
+            });
+            let more: Vec<Disturbance> = more.collect();
+            for (changes, which) in self.variants {
+                self.scratch = self.model.replay(&in_order(changes.iter().chain(&more)));
+                read(self.model, &self.scratch, self.data, which, &mut self.column);
+            }
+            self.less_exact(1.0 / NUDGE);
+            of_values.push(self.column.clone());
+            of_pressing.push(self.pressing_off(&rubbed, 1.0 / NUDGE));
+        }
+        let coming_round = ComingRound::new(&of_values, &of_pressing);
+        Some((rubbed, coming_round))
+    }
+
+    /// The error of what presses in joints at the last change, in parts of it, times `factor`.
+    fn pressing_off(&self, rubbed: &[Rubbed], factor: f64) -> Vec<f64> {
+        let Some(base) = self.bases.last() else { return vec![0.0; rubbed.len()] };
+        pressing_off(rubbed, &self.scratch, base).into_iter().map(|off| off * factor).collect()
+    }
+
+    /// The data that were read last less the exact ones, times `factor`.
+    fn less_exact(&mut self, factor: f64) {
+        for ((value, exact), datum) in self.column.iter_mut().zip(&self.exact).zip(self.data) {
+            *value = datum.turned(*value - exact) * factor;
+        }
+    }
+
     /// By datum: the difference that a change of an operation makes, times `factor`.
     fn of(&mut self, operation: usize, change: impl Fn(&Values) -> Change, factor: f64) -> &[f64] {
         for ((changes, which), base) in self.variants.iter().zip(&self.bases) {
             self.model.replay_after(&mut self.scratch, base, operation, change(base), changes);
             read(self.model, &self.scratch, self.data, which, &mut self.column);
         }
-        for ((value, exact), datum) in self.column.iter_mut().zip(&self.exact).zip(self.data) {
-            *value = datum.turned(*value - exact) * factor;
-        }
+        self.less_exact(factor);
         &self.column
     }
 }

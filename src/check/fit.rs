@@ -3,7 +3,7 @@
 
 use super::covariance::{CAREFUL, Covariances, Habit, Hand, SIZES, SLIPS};
 use super::mistakes::Candidate;
-use super::model::{COMPUTING, TOGETHER, drawn_on};
+use super::model::{COMPUTING, LEANING, TOGETHER, drawn_on};
 use super::score::{Compared, Scorer, Walk};
 use crate::sheet::Sheet;
 
@@ -24,7 +24,7 @@ pub(super) struct Fit {
 }
 
 /// The search for the hand that makes the values likeliest.
-struct Hands<'a> {
+pub(super) struct Hands<'a> {
     covariances: &'a Covariances,
     compared: Compared<'a>,
     walk: Walk,
@@ -36,7 +36,7 @@ struct Hands<'a> {
 
 impl Hands<'_> {
     /// Tries a hand; whether it is the best so far.
-    fn consider(&mut self, hand: Hand) -> bool {
+    pub fn consider(&mut self, hand: Hand) -> bool {
         let cost = self.walk.run(self.covariances, &hand, self.compared) + hand.cost();
         let is_better = cost < self.cost;
         if is_better {
@@ -71,7 +71,7 @@ impl Hands<'_> {
     }
 
     /// Tries the other ways to compute with the best hand so far.
-    fn search_computing(&mut self) {
+    pub fn search_computing(&mut self) {
         for habit in [Habit::Mixed, Habit::AsWritten, Habit::AllDigits] {
             if habit != self.hand.habit {
                 self.consider(Hand { habit, ..self.hand });
@@ -84,6 +84,11 @@ impl Hands<'_> {
                 self.consider(hand);
             }
         }
+        if !self.covariances.groups[LEANING].is_empty() {
+            let mut hand = self.hand;
+            hand.errors[LEANING] = 0.0;
+            self.consider(hand);
+        }
     }
 
     /// Goes on with a size for each kind of errors; only for drawings more exact than a hand's.
@@ -94,7 +99,7 @@ impl Hands<'_> {
         self.consider(program);
         for _ in 0..2 {
             let before = self.cost;
-            for group in 0..COMPUTING {
+            for group in 0..LEANING {
                 self.search_kind(group);
             }
             if self.cost > before - 1.0 {
@@ -163,14 +168,23 @@ impl Scorer<'_> {
 
     /// A comparison by the likeliest of the hands that are tried.
     fn compared(&self, set: &[&Candidate], try_hands: impl Fn(&mut Hands<'_>)) -> Option<Fit> {
-        let predicted = self.predicted(set);
+        self.compared_with(set, self.predicted(set), &self.covariances(set), try_hands)
+    }
+
+    /// The same with values and covariances that are known already.
+    pub(super) fn compared_with(
+        &self,
+        set: &[&Candidate],
+        predicted: Vec<f64>,
+        covariances: &Covariances,
+        try_hands: impl Fn(&mut Hands<'_>),
+    ) -> Option<Fit> {
         if predicted.iter().any(|p| !p.is_finite()) {
             return None;
         }
         let meant = self.meant(set);
-        let covariances = self.covariances(set);
         let mut hands = Hands {
-            covariances: &covariances,
+            covariances,
             compared: Compared { meant: &meant, predicted: &predicted, without: &self.without },
             walk: Walk::new(self.data.len()),
             hand: Hand::alike(1.0),

@@ -11,7 +11,7 @@
 //! forms of one scene have in common.
 //!
 //! `model` predicts all values together with their common errors, those of a drawing program among them;
-//! `covariance`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the catalogue, `settle`
+//! `covariance`, `score`, `fit` and `nearer` compute how well values fit a prediction; `mistakes/` is the catalogue, `settle`
 //! fits the amounts of unknown mistakes, `search` tries all of them, `diagnosis` weighs the explanations and chooses the one
 //! that is told, and `lesson` says what is to be learnt from it.
 //!
@@ -73,6 +73,7 @@ mod mistakes;
 pub mod model;
 mod named;
 mod names;
+mod nearer;
 mod on_paper;
 #[cfg(feature = "photo")]
 mod photographs;

@@ -8,7 +8,7 @@ use crate::construction::{
     Reference, Solution, Tolerance, Values,
 };
 use crate::geometry::{Vector, unit};
-use crate::mechanism::{GROUND, Mechanism, PointId};
+use crate::mechanism::{GROUND, Joint, Mechanism, PointId};
 use crate::quantity::{Band, QuantityRequest, Reading, Unread, read_by_hand};
 use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::words::sheet_told;
@@ -26,8 +26,11 @@ pub(super) const fn drawn_on(sheet: Sheet) -> usize {
 /// The kind of errors of joints displaced together so that every link keeps its shape, as with a drawing program.
 pub(super) const TOGETHER: usize = 1 + Sheet::ALL.len();
 
+/// The kind of errors of angles of friction and of lines that touch circles of friction; whoever computes friction has none.
+pub(super) const LEANING: usize = TOGETHER + 1;
+
 /// The kind of slips in computed numbers.
-pub(super) const COMPUTING: usize = TOGETHER + 1;
+pub(super) const COMPUTING: usize = LEANING + 1;
 
 /// Number of kinds of errors; a hand has a size for each.
 pub(super) const GROUPS: usize = COMPUTING + 1;
@@ -76,6 +79,9 @@ impl Model {
         let asked: Vec<QuantityRequest> = entries.iter().map(|e| e.asked.clone()).collect();
         let (mut construction, readings) = read_by_hand(solution, &asked);
         given_first(&mut construction.operations);
+        if key.solution.mechanism.joints.iter().any(is_on_an_arm) {
+            velocities_first(&mut construction.operations);
+        }
         let given = mu.or(key.scales);
         let mut scales = PerSheet::from_fn(|_| 1.0);
         // On a sheet that nobody asks for nothing is drawn.
@@ -283,6 +289,18 @@ fn given_first(operations: &mut [Operation]) {
         }
         _ => 3,
     });
+}
+
+/// Whether a joint is a mesh whose wheels hang on an arm that moves.
+fn is_on_an_arm(joint: &Joint) -> bool {
+    joint.pitch.is_some() && joint.related_bodies().nth(2).is_some_and(|carrier| carrier != GROUND)
+}
+
+/// Moves what the acceleration plan has before the last ray of the velocity plan behind that, in its order: a mistake there may take angular velocities that are found.
+fn velocities_first(operations: &mut [Operation]) {
+    let last = operations.iter().rposition(|operation| operation.sheet == Sheet::Velocity);
+    let before = &mut operations[..last.map_or(0, |last| last + 1)];
+    before.sort_by_key(|operation| operation.sheet == Sheet::Acceleration);
 }
 
 /// Most joints of which the displacements that keep shapes are found: the work grows with the third power of their number, and nobody

@@ -10,7 +10,7 @@
 use super::covariance::{Covariances, Datum, Groups, Hand, read};
 use super::entry::Entry;
 use super::mistakes::{Candidate, Free};
-use super::model::{Changes, Model, TOGETHER, in_order};
+use super::model::{Changes, LEANING, Model, TOGETHER, in_order};
 use crate::construction::{Change, Tolerance};
 use crate::sheet::QuantityKind;
 use std::borrow::Cow;
@@ -112,13 +112,23 @@ impl<'a> Scorer<'a> {
 
     /// By datum: the value that a drawing with the candidates' mistakes should have.
     pub fn predicted(&self, set: &[&Candidate]) -> Vec<f64> {
+        self.read_from(set, &self.variants(set))
+    }
+
+    /// The data read from these replays.
+    pub fn read_from(&self, set: &[&Candidate], variants: &[(Changes, Vec<usize>)]) -> Vec<f64> {
         let model = self.model(set);
         let mut predicted = vec![f64::NAN; self.data.len()];
-        for (changes, data) in self.variants(set) {
-            let values = model.replay(&changes);
-            read(model, &values, &self.data, &data, &mut predicted);
+        for (changes, data) in variants {
+            let values = model.replay(changes);
+            read(model, &values, &self.data, data, &mut predicted);
         }
         predicted
+    }
+
+    /// Whether there is friction that a hand may find in its drawing.
+    pub fn rubs(&self) -> bool {
+        !self.nominal.groups[LEANING].is_empty()
     }
 
     /// The covariances of the values of drawings with the candidates' mistakes.
@@ -145,12 +155,13 @@ impl<'a> Scorer<'a> {
     /// The variances of a value in a right drawing by kind of errors, at the tolerance.
     fn variances(&self, datum: usize) -> impl Iterator<Item = f64> {
         let diagonal = datum * (self.data.len() + 1);
-        self.nominal.groups.iter().map(move |group| group[diagonal])
+        self.nominal.groups.iter().map(move |group| group.get(diagonal).copied().unwrap_or_default())
     }
 
     /// The variance of a value in a right drawing by hand with errors at the tolerance.
     pub fn variance(&self, datum: usize) -> f64 {
-        self.variances(datum).take(TOGETHER).sum()
+        let is_by_hand = |(kind, variance): (usize, f64)| (kind < TOGETHER || kind == LEANING).then_some(variance);
+        self.variances(datum).enumerate().filter_map(is_by_hand).sum()
     }
 
     /// The standard deviation of a value in a right drawing by a hand, its rounding left out.
@@ -199,7 +210,7 @@ impl<'a> Scorer<'a> {
     }
 
     /// The amounts of a set's edits that were fitted to the values.
-    fn free(set: &[&Candidate]) -> Vec<(Free, f64)> {
+    pub fn free(set: &[&Candidate]) -> Vec<(Free, f64)> {
         let fitted = set.iter().flat_map(|candidate| candidate.free.iter().zip(&candidate.edits));
         let amounts = fitted.filter_map(|(free, edit)| match edit.change {
             Change::Error(_, amount) | Change::Written(_, amount) => Some((*free, amount)),
@@ -282,6 +293,8 @@ pub(super) struct Walk {
     means: Vec<f64>,
     /// By value: whether it is unexplained.
     pub outside: Vec<bool>,
+    /// By value: by how much it is off what is predicted.
+    pub off: Vec<f64>,
 }
 
 impl Walk {
@@ -291,6 +304,7 @@ impl Walk {
             own: vec![1.0; count],
             means: vec![0.0; count],
             outside: vec![false; count],
+            off: vec![0.0; count],
         }
     }
 
@@ -305,6 +319,7 @@ impl Walk {
             let rounding = datum.variance();
             let variance = remaining(self.matrix[index * count + index], self.own[index] * rounding);
             let off = datum.off(compared.predicted[index], self.means[index]) - self.means[index];
+            self.off[index] = off + self.means[index];
             if !cost.add_deviate(off * off / variance, variance / rounding, &compared.without[index]) {
                 self.outside[index] = true;
                 continue;

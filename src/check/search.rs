@@ -29,6 +29,9 @@ const EXTENDED: usize = 6;
 /// Cost above the best one of its level above which an explanation is not tried with a further mistake.
 const HOPELESS: f64 = 40.0;
 
+/// Explanations of one level that are compared about the errors that they tell.
+const NEARER: usize = 12;
+
 /// Most other assembly modes that are compared.
 const MODES: usize = 5;
 
@@ -142,6 +145,7 @@ impl<'a> Search<'a> {
     /// `off`: by datum whether its verdict is off.
     pub fn run(&mut self, none: Fit, off: &[bool], depth: usize) -> Vec<Tried> {
         let mut beam = vec![Tried { set: Vec::new(), cost: none.cost, fit: none }];
+        self.bring_nearer(&mut beam);
         // A mistake that is passed on looks like a bad hand, for which nothing is left to be explained: as a careful one's it is looked
         // for, too.
         if beam[0].fit.hand.worst() > 1.0 {
@@ -198,8 +202,23 @@ impl<'a> Search<'a> {
             Some(Tried { set, fit, cost })
         });
         let mut level: Vec<Tried> = tried.collect();
-        level.sort_by(|a, b| a.cost.total_cmp(&b.cost).then_with(|| a.set.cmp(&b.set)));
+        sort(&mut level);
+        self.bring_nearer(&mut level);
         level
+    }
+
+    /// Compares the likeliest explanations once more, about the errors that they tell.
+    fn bring_nearer(&self, level: &mut [Tried]) {
+        let least = level.first().map_or(f64::INFINITY, |best| best.cost);
+        let count = level.iter().take(NEARER).take_while(|tried| tried.cost < least + HOPELESS).count();
+        let found = on_all_cores(&level[..count], |tried| self.scorer.nearer(&self.set(&tried.set), &tried.fit));
+        for (tried, fit) in level.iter_mut().zip(found) {
+            if let Some(fit) = fit {
+                tried.cost += fit.cost - tried.fit.cost;
+                tried.fit = fit;
+            }
+        }
+        sort(level);
     }
 
     /// The likeliest further mistakes at a first look, the best first.
@@ -225,17 +244,21 @@ impl<'a> Search<'a> {
     }
 
     /// The children that are compared completely: the likeliest of the catalogue, the likeliest with a fitted amount, and
-    /// what of the catalogue is done at the same operation as the first of these: where lines hardly cross, a first look
+    /// what of the catalogue is done at the same operation or in the same step as the first of these: where lines hardly cross, or an arm is short, a first look
     /// shows only fitted amounts.
     fn chosen<'t>(&self, children: Vec<Child<'t>>) -> Vec<Child<'t>> {
-        let fitted = children.iter().filter_map(|child| child.fitted.as_ref());
-        let places: Vec<usize> = fitted.take(PLACES).flat_map(Candidate::operations).collect();
+        let fitted: Vec<&Candidate> = children.iter().filter_map(|child| child.fitted.as_ref()).take(PLACES).collect();
+        let places: Vec<usize> = fitted.iter().flat_map(|fitted| fitted.operations()).collect();
+        let steps: Vec<usize> = fitted.iter().map(|fitted| fitted.step).collect();
+        let is_beside = |listed: &Candidate| {
+            steps.contains(&listed.step) || listed.operations().any(|operation| places.contains(&operation))
+        };
         let (mut listed, mut settled, mut beside) = (COMPARED, SETTLED, BESIDE);
         let mut take = |child: &Child<'t>| {
             let left = match child.fitted {
                 Some(_) => &mut settled,
                 None if listed > 0 => &mut listed,
-                None if self.pool[child.index].operations().any(|o| places.contains(&o)) => &mut beside,
+                None if is_beside(&self.pool[child.index]) => &mut beside,
                 None => return false,
             };
             let is_taken = *left > 0;
@@ -297,6 +320,11 @@ impl<'a> Search<'a> {
             operations && values && positions
         })
     }
+}
+
+/// The best first.
+fn sort(tried: &mut [Tried]) {
+    tried.sort_by(|a, b| a.cost.total_cmp(&b.cost).then_with(|| a.set.cmp(&b.set)));
 }
 
 /// The hand of the likeliest explanation. A sheet without mistakes by a bad hand must be clearly likelier than one with

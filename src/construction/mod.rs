@@ -94,11 +94,11 @@ pub use operation::{
 };
 pub use passage::{Aim, Passage};
 pub use plan::{NOTHING, Plan, PlanPoint, PointRole};
+pub(crate) use polygon::{ComingRound, FoundForce, FoundNumbers, Rubbed, pressing_off};
 pub use polygon::{
     Corner, ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint, Polygon, Side,
     SideKind,
 };
-pub(crate) use polygon::{FoundForce, FoundNumbers};
 pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::Teller;
 pub(crate) use solution::asked_construction;

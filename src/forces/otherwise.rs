@@ -15,6 +15,8 @@ pub(crate) struct RubbedJoint {
     /// Whether it is a pin; else it is a guide.
     pub is_pin: bool,
     pub grip: Grip,
+    /// The radius of the pin's journal; 0 in a guide.
+    pub radius: f64,
 }
 
 /// What friction does to a body: a force along a guide or a couple at a pin.
@@ -28,8 +30,8 @@ pub(crate) struct FrictionLoad {
 pub(crate) fn rubbing(mechanism: &Mechanism) -> Vec<RubbedJoint> {
     let joints = LoadList::new(mechanism).map(|list| list.friction).unwrap_or_default();
     let joint = |(joint, rub)| match rub {
-        Rub::Pin { grip, .. } => RubbedJoint { joint, is_pin: true, grip },
-        Rub::Guide(_, grip) => RubbedJoint { joint, is_pin: false, grip },
+        Rub::Pin { grip, radius } => RubbedJoint { joint, is_pin: true, grip, radius },
+        Rub::Guide(_, grip) => RubbedJoint { joint, is_pin: false, grip, radius: 0.0 },
     };
     joints.into_iter().map(joint).collect()
 }

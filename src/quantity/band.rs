@@ -4,7 +4,10 @@ use super::error::QuantityError;
 use super::name::QuantityRequest;
 use super::names::step_names;
 use super::reading::{Reading, Sense, Unread, read_by_hand};
-use crate::construction::{Change, Construction, Disturbance, NumberId, Operation, Solution, Tolerance, Values};
+use crate::construction::{
+    Change, ComingRound, Construction, Disturbance, NumberId, Operation, Rubbed, Solution, Tolerance, Values,
+    pressing_off,
+};
 use crate::geometry::{with_turns, without_sense};
 use crate::sheet::{PerSheet, Scales};
 use std::collections::BTreeSet;
@@ -27,6 +30,9 @@ const DEVIATIONS: f64 = 2.1;
 
 /// Largest second-order part of the error, in standard deviations, for which first order counts as sufficient.
 const SECOND_ORDER: f64 = 0.2;
+
+/// Step of difference quotients by friction, in parts of it.
+const NUDGE: f64 = 1e-3;
 
 /// Pairs of drawings from which the second-order part is estimated.
 const DRAWINGS: u32 = 32;
@@ -61,6 +67,9 @@ impl Pencil {
 /// second-order part is estimated from pairs of drawings with all errors at once, of opposite sign in the two: it is
 /// the difference of the pair's mean from the exact value. The band is rough if the root mean square of that part
 /// exceeds σ/5, as under small angles of crossing, or if a distance may be zero within its band.
+///
+/// Friction is found from what presses in such a drawing, and brings its errors round once more; so do the angle by which forces lean, and the line that touches a
+/// circle of friction.
 #[must_use]
 pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked: Vec<QuantityRequest>) -> Pencil {
     let (construction, readings) = read_by_hand(solution, &asked);
@@ -114,8 +123,14 @@ impl Construction {
             let errors = operation.kind.errors().iter().enumerate();
             errors.map(move |(which, error)| (index, which, error.limit(tolerance)))
         });
-        let hand =
-            Hand { construction: self, scales, readings, errors: errors.collect(), exact: self.run(scales, &[]) };
+        let hand = Hand {
+            construction: self,
+            scales,
+            tolerance,
+            readings,
+            errors: errors.collect(),
+            exact: self.run(scales, &[]),
+        };
         let all = readings.iter().zip(hand.first_order());
         let bands = all.zip(hand.second_order());
         let bands = bands.map(|((reading, deviation), second_order)| {
@@ -132,6 +147,7 @@ impl Construction {
 struct Hand<'a> {
     construction: &'a Construction,
     scales: PerSheet<f64>,
+    tolerance: &'a Tolerance,
     readings: &'a [Reading],
     /// All errors: index of the operation, index of the error among those of the operation, its limit.
     errors: Vec<(usize, usize, f64)>,
@@ -150,6 +166,13 @@ impl Hand<'_> {
         for (index, reading) in self.readings.iter().enumerate() {
             read[users.maker(reading.number)].push(index);
         }
+        let friction = self.friction(&users);
+        if let Some(Friction { rubbed, coming_round }) = &friction {
+            for (joint, own) in rubbed.iter().enumerate() {
+                let part = own.drawn(self.scales, self.tolerance);
+                add(&mut squares, coming_round.of_joint(joint).iter().map(|slope| slope * part));
+            }
+        }
         for &(operation, which, limit) in &self.errors {
             // What uses none of the disturbed results stays exact: of many points on a link each has its own.
             let disturbed = users.all_after(operation);
@@ -161,16 +184,47 @@ impl Hand<'_> {
                     values.repeat(&operations[index], own, self.scales);
                 }
             }
-            for &index in disturbed.iter().flat_map(|&index| &read[index]) {
+            let slopes = disturbed.iter().flat_map(|&index| &read[index]).map(|&index| {
                 let [up, down] = self.difference(&pair, &self.readings[index]);
-                let slope = 0.5 * (up - down);
-                squares[index] += slope * slope / 3.0;
+                (index, 0.5 * (up - down))
+            });
+            match &friction {
+                None => slopes.for_each(|(index, slope)| squares[index] += slope * slope / 3.0),
+                Some(friction) => {
+                    let mut own = vec![0.0; squares.len()];
+                    slopes.for_each(|(index, slope)| own[index] = slope);
+                    friction.add(&own, &pair, &self.exact, &mut squares);
+                }
             }
             for values in &mut pair {
                 disturbed.iter().for_each(|&index| values.take(&operations[index], &self.exact));
             }
         }
         squares.into_iter().map(f64::sqrt).collect()
+    }
+
+    /// How errors come round by friction; none where nothing rubs.
+    fn friction(&self, users: &Users) -> Option<Friction> {
+        let rubbed = self.construction.rubbed();
+        if rubbed.is_empty() {
+            return None;
+        }
+        let operations = &self.construction.operations;
+        let (mut of_values, mut of_pressing) = (Vec::new(), Vec::new());
+        for own in &rubbed {
+            let mut values = self.exact.clone();
+            let mut disturbed = BTreeSet::new();
+            for &number in &own.taken {
+                values.put_number(number, self.exact.number(number) * (1.0 + NUDGE));
+                disturbed.extend(users.all_after(users.maker(number)).into_iter().skip(1));
+            }
+            disturbed.iter().for_each(|&index| values.repeat(&operations[index], [0.0; 2], self.scales));
+            let slope = |reading: &Reading| reading.difference(&values, self.exact.number(reading.number)) / NUDGE;
+            of_values.push(self.readings.iter().map(slope).collect());
+            let pressing = pressing_off(&rubbed, &values, &self.exact);
+            of_pressing.push(pressing.into_iter().map(|off| off / NUDGE).collect());
+        }
+        Some(Friction { coming_round: ComingRound::new(&of_values, &of_pressing), rubbed })
     }
 
     /// The root mean square of each reading's second-order part, from drawings whose errors have the size of their
@@ -207,6 +261,28 @@ impl Hand<'_> {
         let exact = self.exact.number(reading.number);
         [0, 1].map(|side| reading.difference(&pair[side], exact))
     }
+}
+
+/// Friction that a hand finds from what presses in its drawing.
+struct Friction {
+    rubbed: Vec<Rubbed>,
+    coming_round: ComingRound,
+}
+
+impl Friction {
+    /// Adds the variances of an error that changes readings by `own`; `pair` has the values of drawings with it and with its opposite.
+    fn add(&self, own: &[f64], pair: &[Values; 2], exact: &Values, squares: &mut [f64]) {
+        let [up, down] = pair.each_ref().map(|values| pressing_off(&self.rubbed, values, exact));
+        let pressing: Vec<f64> = up.iter().zip(down).map(|(up, down)| 0.5 * (up - down)).collect();
+        for slopes in self.coming_round.with(own, &pressing) {
+            add(squares, slopes.into_iter());
+        }
+    }
+}
+
+/// Adds the variances of an error that is equally likely within limits at which readings change so much.
+fn add(squares: &mut [f64], slopes: impl Iterator<Item = f64>) {
+    squares.iter_mut().zip(slopes).for_each(|(square, slope)| *square += slope * slope / 3.0);
 }
 
 /// Which operations use the results of which.

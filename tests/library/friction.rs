@@ -1,7 +1,9 @@
 //! Friction in joints against closed forms, hands that solve again and again, and what is said where it locks or is not known. Random mechanisms
 //! with friction are in `free_bodies.rs`.
 
+use kinegon::construction::Tolerance;
 use kinegon::editing::{Edit, Named, apply};
+use kinegon::quantity::{QuantityRequest, pencil};
 use serde_json::{Value, json};
 use support::stages::solved;
 
@@ -67,6 +69,34 @@ fn a_rod_carries_its_force_along_the_common_tangent_of_its_circles() {
     let across = quantity(&scene, "R(B,2).y") / quantity(&scene, "R(B,2).x");
     is_about(across, libm::tan(rod + turned), "the slope of the force");
     is_about(quantity(&scene, "R(B,2).x"), 1000.0, "R(B,2).x");
+}
+
+/// A pencil that errs in directions alone, by d at most: the load Q and the friction F = μN are laid off along the guide, the guide is drawn and its normal, and the rod's
+/// direction is taken from the scheme. With t = tan β these change N = (Q + F) t by Q, F, N t twice, and (Q + F)(1 + t²), each times its error. What N is wrong by
+/// changes F, so N once more by k = μt/(1 − μt) of it, where F is from the same drawing; it adds that with an error of its own, where F is from an earlier one. Half and
+/// half are the variance (1 + k/2)² + ¾k² of that without; and an angle of friction φ that is wrong by δ brings k N δ/(sin φ cos φ).
+#[test]
+fn the_band_of_a_guides_force_has_what_its_friction_inherits() {
+    let (crank, phi) = (75.0_f64, 14.0_f64.to_radians());
+    let t = libm::tan(libm::asin(60.0 * libm::sin(crank.to_radians()) / 180.0));
+    let mut scene = slider_crank(crank, 1000.0, &json!([{ "guide": "3/ground", "angle": 14 }]));
+    scene["figure"] = json!({ "panels": ["scheme", "forces"], "mu_l": 2, "mu_f": 10 });
+    let solution = solved(&scene.to_string()).unwrap_or_else(|error| panic!("{error}\n{scene}"));
+    let asked = vec![QuantityRequest::new("N(3/ground)", &solution.mechanism).expect("a name")];
+    let found = pencil(&solution, &solution.scales(), Tolerance { mm: 0.0, degrees: 0.3 }, asked);
+    let band = found.band("N(3/ground)").expect("a band");
+
+    let mu = libm::tan(phi);
+    let push = 1000.0 / (1.0 - mu * t);
+    let normal = push * t;
+    is_about(band.value.abs(), normal, "N");
+    let own = [1000.0, mu * normal, normal * t, normal * t, push * (1.0 + t * t)];
+    let k = mu * t / (1.0 - mu * t);
+    let squares: f64 = own.iter().map(|x| x * x).sum();
+    let of_angle = k * normal / (libm::sin(phi) * libm::cos(phi));
+    let variance = squares * ((1.0 + k / 2.0).powi(2) + 0.75 * k * k) + of_angle * of_angle;
+    let expected = 2.1 * 0.3_f64.to_radians() * (variance / 3.0).sqrt();
+    assert!((band.band - expected).abs() < 2e-3 * expected, "{} is not {expected}", band.band);
 }
 
 #[test]

@@ -54,7 +54,8 @@ fn mistakes_with_teeth_cams_and_friction_are_named_and_honest_hands_are_not_accu
     };
     for judge in ["teeth.py", "cams.py", "friction.py"] {
         let judge = files::path(&format!("tests/students/{judge}"));
-        let words = ["--scenes", "5", "--honest", "15", "--each", "5", "--limits"];
+        // Four ways to come to a friction.
+        let words = ["--scenes", "5", "--honest", "20", "--each", "5", "--limits"];
         let program = [QUIET.as_ref(), judge.as_os_str(), env!("CARGO_BIN_EXE_kinegon").as_ref()];
         let said = run(&python, program.into_iter().chain(words.map(AsRef::as_ref)));
         let said = String::from_utf8(said).expect("text");

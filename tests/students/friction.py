@@ -19,6 +19,9 @@ from survey import Survey, arguments
 MISTAKES = ["friction-sense", "angle-for-coefficient", "normal-without-lean", "friction-circle-diameter", "friction-left-out"]
 TIMES = 60
 
+# How a hand comes to its friction that does not know it.
+WAYS = ["anew", "corrected", "leaning"]
+
 
 class Rough(Mechanism):
     """A mechanism whose `rubs` are (joint, angle of friction in degrees, radius of the journal); a joint is a pin's name or the index of a guide. `factors` has, by joint,
@@ -132,6 +135,43 @@ def mistaken(m, mistake, rng):
     return wrong
 
 
+def errors_of(m, rng):
+    """By joint: how many times as large its friction becomes by an angle of friction that is read wrongly, or by a line that does not quite touch the circle."""
+    found = {}
+    for joint, degrees, radius in m.rubs:
+        if isinstance(joint, int):
+            found[joint] = math.tan(math.radians(degrees + rng.uniform(-forces.DEGREES, forces.DEGREES))) / math.tan(math.radians(degrees))
+        else:
+            circle = radius * math.sin(math.radians(degrees))
+            found[joint] = (circle + rng.uniform(-forces.MM, forces.MM) * m.mu_l) / circle
+    return found
+
+
+def own_drawing(m, mu_l, mu_f, rng, way):
+    """Friction found from what an own drawing shows, in passes from smooth joints on. `way`: `anew` draws each pass on a new sheet, `corrected` draws once and corrects
+    what follows from the friction, `leaning` does so with forces that lean by an angle that is drawn and touch circles that are drawn."""
+    passed = copy.copy(m)
+    passed.mu_l, passed.rub = mu_l, {}
+    seed, route = rng.randrange(1 << 30), rng.randrange(3)
+    passed.factors = errors_of(passed, rng) if way == "leaning" else {}
+    torque = None
+    for _ in range(TIMES):
+        pencil = rng if way == "anew" else random.Random(seed)
+        drawn = Sheet(passed, mu_l, mu_f, pencil, None, route)
+        before, torque = torque, drawn.values["T(1)"]
+        if before is not None and abs(torque - before) < (0.03 if way == "anew" else 0.002) * max(abs(torque), 1.0):
+            return drawn
+        passed.rub = {joint: passed.resisting(joint, degrees, radius, pressed(passed, drawn, joint)) for joint, degrees, radius in m.rubs}
+    raise Stuck
+
+
+def pressed(m, drawn, joint):
+    """What presses in a joint, as the drawing shows it."""
+    if isinstance(joint, int):
+        return abs(drawn.values[f"N({m.guides[joint][0]}/ground)"])
+    return next(value for name, value in drawn.values.items() if name.startswith(f"R({joint},") and name.endswith(".size"))
+
+
 def run(options):
     rng = random.Random(options.seed)
     survey = Survey(options, MISTAKES, lambda told, mistake: bool(told) and all(t == mistake for t in told))
@@ -147,14 +187,18 @@ def run(options):
             for mistake, number in sheets:
                 try:
                     Sheet.total = total
-                    drawn = Sheet(mistaken(m, mistake, rng) if mistake else m, mu_l, mu_f, rng, None, rng.randrange(3))
+                    if mistake or number % 4 == 0:
+                        drawn = Sheet(mistaken(m, mistake, rng) if mistake else m, mu_l, mu_f, rng, None, rng.randrange(3))
+                    else:
+                        drawn = own_drawing(m, mu_l, mu_f, rng, WAYS[number % 4 - 1])
                 except (Stuck, ZeroDivisionError, IndexError):
                     continue
                 key = f"{mistake or 'honest'}-{number}"
                 form["values"] = {name: text(name, drawn.values[name]) for name in names if name in drawn.values}
                 form["name"], form["positive"] = key, "counter-clockwise"
                 (work / f"{key}.json").write_text(json.dumps(form))
-                survey.judge(work / "scene.json", work / f"{key}.json", kind.__name__, mistake, m.key, f"{kind.__name__}-{index}-{key}")
+                route = m.key if mistake else WAYS[number % 4 - 1] if number % 4 else "known"
+                survey.judge(work / "scene.json", work / f"{key}.json", kind.__name__, mistake, route, f"{kind.__name__}-{index}-{key}")
     return survey.report(least=85)
 
 

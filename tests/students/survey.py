@@ -44,7 +44,7 @@ class Survey:
 
     def __init__(self, options, mistakes, is_named):
         self.options, self.is_named, self.wanted = options, is_named, options.mistake or mistakes
-        self.kinds, self.honest, self.routes = Counter(), Counter(), Counter()
+        self.kinds, self.honest, self.routes, self.ways = Counter(), Counter(), Counter(), Counter()
         self.outcomes = {mistake: Counter() for mistake in mistakes}
         self.told = {mistake: Counter() for mistake in mistakes}
 
@@ -57,7 +57,9 @@ class Survey:
         off = [value for value in result["values"] if value["verdict"] == "off"]
         if mistake is None:
             self.kinds[kind] += 1
-            self.honest["accused" if told else "off" if off else "passed"] += 1
+            outcome = "accused" if told else "off" if off else "passed"
+            self.honest[outcome] += 1
+            self.ways[route, outcome] += 1
             is_right = not told and not off
         else:
             if not any(abs(value["difference"]) > 1.5 * value.get("allowed", math.inf) for value in result["values"]):
@@ -83,6 +85,8 @@ class Survey:
         """Prints what came out; 1 where less than `least` per cent of the mistakes are named or more than `most` of the honest accused."""
         count, total = sum(self.honest.values()), Counter()
         print("honest:", count, dict(self.honest), dict(self.kinds))
+        for way in sorted({own for own, _ in self.ways}):
+            print(f"honest, {way}:", {outcome: n for (own, outcome), n in self.ways.items() if own == way})
         for mistake in self.wanted:
             own = self.outcomes[mistake]
             total.update(own)

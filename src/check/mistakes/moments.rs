@@ -152,7 +152,12 @@ pub(super) fn in_paper_mm(site: &Site<'_>) -> Vec<Candidate> {
             let told = || tell::arm_in_paper_mm(finds(drawn, sum.finds), scale(sheet).into());
             let step = Some(site.model.steps[sum.operation]);
             all.extend(drawn.together(told(), sum.arms.iter().map(edit).collect(), step));
-            if sum.divisor.is_some() {
+            // The radii of a wheel are of one kind: who takes one from paper takes both so.
+            let is_of_teeth = |arm: &Arm| {
+                let maker = site.model.place_makers[arm.at.0];
+                maker.is_some_and(|maker| matches!(site.operation(maker).role, OperationRole::Pitch(_)))
+            };
+            if sum.divisor.is_some() && !sum.loaded().all(is_of_teeth) {
                 all.extend(drawn.together(told(), sum.loaded().map(edit).collect(), step));
             }
         }

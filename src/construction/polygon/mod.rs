@@ -4,7 +4,7 @@
 //!
 //! In reading order: `statics` (forces with their lines of action, arms, moments), `sides` (polygons, side by side), `leg` (the part of an
 //! outer joint's force that one link alone tells), `second`, `third` and `fourth` (groups of these classes), `wheels` (the force between teeth), `guides` (couples in guides), `drive`
-//! (driven links and sliders), `named` (the numbers and names of what is found), `corners` (the names of corners), `arms` (those of arms), `compared`, `told` (captions, symbols).
+//! (driven links and sliders), `named` (the numbers and names of what is found), `corners` (the names of corners), `arms` (those of arms), `rubbed` (friction by what is found), `compared`, `told` (captions, symbols).
 //!
 //! # One rule for pins and guides
 //!
@@ -24,6 +24,7 @@ mod fourth;
 mod guides;
 mod leg;
 mod named;
+mod rubbed;
 mod second;
 mod sides;
 mod statics;
@@ -36,7 +37,7 @@ use super::number::NumberId;
 use super::operation::PlaceId;
 use super::step::Action;
 use super::writer::Writer;
-use crate::forces::{Forces, Source, driven};
+use crate::forces::{Forces, RubbedJoint, Source, driven, rubbing};
 use crate::geometry::{Point, Vector};
 use crate::mechanism::{BodyId, Class, Group, JointId, Mechanism, PointId, SliderId};
 use crate::scene::Head;
@@ -44,6 +45,7 @@ pub use corners::Corner;
 use indexmap::IndexMap;
 use named::WholeForce;
 pub(crate) use named::{FoundForce, FoundNumbers};
+pub(crate) use rubbed::{ComingRound, Rubbed, pressing_off};
 use statics::Statics;
 
 /// The force polygons of a mechanism, and the moments from which their sides follow.
@@ -60,6 +62,8 @@ pub struct ForcePlan {
     pub(super) joints: Vec<(JointId, BodyId, Option<[PlaceId; 2]>)>,
     /// What is found, as numbers of the construction.
     pub(crate) numbers: FoundNumbers,
+    /// The joints that rub.
+    pub(super) rubbing: Vec<RubbedJoint>,
     /// The corners of the polygons, by their names.
     pub(crate) corners: IndexMap<String, Corner>,
     /// How the forces from these polygons agree with those from the equations of equilibrium, in parts of the largest force.
@@ -269,6 +273,9 @@ pub(super) fn force_plan(writer: &mut Writer<'_>, computed: &Forces, has_polygon
         statics.compare();
         statics.name_all();
         statics.name_corners();
+        if statics.plan.loads.iter().any(|load| matches!(load.source, Source::Friction(_))) {
+            statics.plan.rubbing = rubbing(mechanism);
+        }
     }
     let plan = statics.plan;
     writer.construction.forces = Some(Box::new(plan));
