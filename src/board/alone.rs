@@ -252,7 +252,7 @@ impl Bench<'_> {
 
     /// Whether a length or a segment is measured between other points than its name has.
     pub fn is_between_others(&self, measure: &Measure) -> bool {
-        let Some((sheet, ends)) = super::reads::segment_of(&measure.measure) else { return false };
+        let Some((sheet, ends)) = super::names::segment_of(&measure.measure) else { return false };
         let own = [&measure.from, &measure.to];
         let place = |name: &String| self.own.place(sheet, name);
         // A point may have several names.

@@ -150,7 +150,7 @@ impl Bench<'_> {
     /// A segment of the hand's own that was measured between other points than its name says.
     fn between_others(&self, entry: &Entry) -> Option<Told> {
         let Entry::Measure(measure) = entry else { return None };
-        let (sheet, _) = super::reads::segment_of(&measure.measure).filter(|_| self.is_between_others(measure))?;
+        let (sheet, _) = super::names::segment_of(&measure.measure).filter(|_| self.is_between_others(measure))?;
         Some(super::slips::between_others(self.judge.given(), sheet, &measure.measure, [&measure.from, &measure.to]))
     }
 
@@ -179,7 +179,7 @@ impl Bench<'_> {
     /// What the hand's own names of measured segments and lengths mean.
     fn measured(&self, is_of_forces: bool) -> BTreeMap<String, (Sheet, [String; 2])> {
         let own = self.done.iter().filter_map(|(_, entry)| match entry {
-            Entry::Measure(measure) if super::reads::segment_of(&measure.measure).is_none() => {
+            Entry::Measure(measure) if super::names::segment_of(&measure.measure).is_none() => {
                 let (sheet, ends) = (self.measured_on(measure)?, [measure.from.clone(), measure.to.clone()]);
                 // What lies at a point of the hand's own is as right as that.
                 let have_meaning =

@@ -2,7 +2,7 @@
 
 use super::direction::Direction;
 use super::entry::{Compute, Cross, Entry, Join, LayOff, Like, Line, Mark, Measure};
-use super::reads::{is_center, segment_of, two_points};
+use super::names::{is_center, segment_of, two_points};
 use super::says;
 use super::table::{DrawnLine, Made, Table};
 use crate::geometry::{Vector, complex_product, cross, degrees_of, direction_of_degrees, quarter_turn, unit};

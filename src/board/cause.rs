@@ -263,7 +263,7 @@ impl Seen<'_, '_> {
         let known = measured_names(self.table.given.construction());
         let sides = solve.equations.iter().filter_map(|text| super::formula::Formula::sides(text).ok());
         sides.flatten().any(|side| {
-            let mut segments = side.names().into_iter().filter(|name| super::reads::segment_of(name).is_some());
+            let mut segments = side.names().into_iter().filter(|name| super::names::segment_of(name).is_some());
             segments.any(|name| !known.iter().any(|known| known == name))
         })
     }

@@ -1,11 +1,11 @@
 //! What is known before the hand begins, and what every name means in the end: the solved scene, with all points in its plans.
 
+use super::names::is_center;
 use super::polygons::{GivenPolygon, direction_of_load, load_places, pitch_points, polygons};
-use super::reads::is_center;
 use super::says;
 use crate::centers::LinkPair;
 use crate::construction::Rate;
-use crate::construction::{Center, Construction, Extent, PointRole, Solution, asked_construction, image_name};
+use crate::construction::{Center, Construction, Extent, PointRole, Solution, asked_construction};
 use crate::forces::Source;
 use crate::geometry::{Point, Vector, span, unit};
 use crate::mechanism::{Mechanism, Role};
@@ -339,9 +339,4 @@ fn by_motion(pair: LinkPair, solution: &Solution) -> Option<Point> {
 /// The name of a segment with the pole as results call it.
 fn with_usual_poles(name: &str) -> String {
     name.replace("aplan(pi,", "aplan(π,").replace(",pi)", ",π)")
-}
-
-/// The name of a scheme's point as its image on a plan.
-pub(super) fn image(name: &str) -> String {
-    image_name(name)
 }

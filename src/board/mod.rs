@@ -2,7 +2,7 @@
 //! Out: the sheets as they were drawn, and a verdict on each operation, with what was probably done at the first wrong one.
 //!
 //! In reading order: `file`, `entry`, `direction` and `formula` (the drawing as it is written), `given` and `given_vectors` (what the scene gives, and what every name
-//! means), `table`, `carried_out` and `equations` (the things made so far, and how one more entry is carried out), `reads` (what an entry uses).
+//! means; `names`: by itself), `table`, `carried_out` and `equations` (the things made so far, and how one more entry is carried out), `reads` (what an entry uses).
 //! `judge` and `others` (scenes like this one), `bench` (entry by entry), `alone`, `free_hand` and `recognised` (what an entry comes to by itself), `blame`
 //! (who is to blame), `cause` (the catalogue of mistakes), `slips`, `slip_equations` and `slip_vectors` (what the entry would be without a slip), `centers` (what is probably wrong with lines of instant centres),
 //! `polygons`, `force_plan`, `force_lines` and `moments` (force polygons, whose corners have no names of their own, and sums of moments). `told` puts it
@@ -37,6 +37,7 @@ mod given_vectors;
 mod hint;
 mod judge;
 mod moments;
+mod names;
 mod numbers;
 mod others;
 mod pictures;

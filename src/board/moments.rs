@@ -3,7 +3,7 @@
 use super::bench::Bench;
 use super::entry::{Compute, Entry, Solve};
 use super::formula::Formula;
-use super::reads::segment_of;
+use super::names::segment_of;
 use super::table::Made;
 use crate::check::{Blank, Mistake, Told, tell};
 use crate::construction::{LoadShown, Teller, plain_text};

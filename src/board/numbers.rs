@@ -1,7 +1,7 @@
 //! The numbers beside the sheets of a board, and the names of one's own that are free.
 
 use super::file::HandDrawing;
-use super::reads::{LENGTH, two_points};
+use super::names::{LENGTH, two_points};
 use super::screen::Screen;
 use super::shown::{BoardNumber, FreeNames};
 use super::table::Table;

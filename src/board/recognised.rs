@@ -4,8 +4,8 @@
 use super::bench::Bench;
 use super::entry::{Compute, Entry, LayOff};
 use super::formula::Formula;
-use super::given::image;
 use super::table::{Made, Table};
+use crate::construction::image_name;
 use crate::mechanism::{BodyId, GROUND};
 use crate::scene::Head;
 use crate::sheet::{Order, Sheet};
@@ -87,7 +87,7 @@ impl Bench<'_> {
                         both(&|table| Some((table.place(sheet, a)? - table.place(sheet, b)?).norm()))
                     };
                     let Some(length) = apart(Sheet::Scheme, [a, b]) else { continue };
-                    let velocity = apart(Sheet::Velocity, [&image(name), &image(other)]);
+                    let velocity = apart(Sheet::Velocity, [&image_name(name), &image_name(other)]);
                     let squared = |omega: Both| product(omega, product(omega, length));
                     all.extend(omega.map(squared));
                     all.extend([omega, alpha].into_iter().flatten().map(|rate| product(rate, length)));
@@ -96,8 +96,8 @@ impl Bench<'_> {
                     if wrongly {
                         all.extend(omegas.iter().map(|omega| squared(*omega)));
                         all.extend(omegas.iter().map(|omega| squared(*omega).map(|size| 2.0 * size)));
-                        let absolute =
-                            [name, other].map(|point| apart(Sheet::Velocity, [&image(point), Order::Velocity.pole()]));
+                        let absolute = [name, other]
+                            .map(|point| apart(Sheet::Velocity, [&image_name(point), Order::Velocity.pole()]));
                         all.extend(absolute.into_iter().flatten().map(over_length));
                     }
                 }

@@ -31,7 +31,7 @@ impl Slip<'_, '_> {
     /// A length or a segment that stands for another, which would be right: one between points that are drawn before others.
     pub(super) fn exchanged(&self, formulas: &[&Formula], is_right: &dyn Fn(&str, f64) -> bool) -> Option<Told> {
         let is_drawn = |name: &str| {
-            super::reads::segment_of(name)
+            super::names::segment_of(name)
                 .is_some_and(|(sheet, ends)| ends.iter().all(|end| self.table.place(sheet, end).is_some()))
         };
         let drawn = self.exchanged_for(formulas, is_right, &is_drawn);
@@ -45,7 +45,7 @@ impl Slip<'_, '_> {
         is_meant: &dyn Fn(&str) -> bool,
     ) -> Option<Told> {
         formulas.iter().flat_map(|formula| formula.names()).find_map(|own| {
-            let (sheet, ends) = super::reads::segment_of(own).or_else(|| self.measured.get(own).cloned())?;
+            let (sheet, ends) = super::names::segment_of(own).or_else(|| self.measured.get(own).cloned())?;
             let all = match sheet.order() {
                 None if sheet == Sheet::Centers => super::centers::distances(self.table),
                 None => lengths(self.table),

@@ -2,7 +2,7 @@
 
 use super::direction::Direction;
 use super::entry::{Entry, LayOff, Like};
-use super::reads::LENGTH;
+use super::names::LENGTH;
 use super::slips::Slip;
 use super::table::Made;
 use crate::check::{Blank, Told, tell};
@@ -125,7 +125,7 @@ impl Slip<'_, '_> {
                 self.is_same(found, velocity * velocity / length)
             });
             if let Some(point) = absolute {
-                let image = super::given::image(point);
+                let image = crate::construction::image_name(point);
                 return Some(tell::normal_from_absolute(from, to, rate, arm, image.as_str().into()));
             }
             let other = mechanism.links().map(|(_, body)| Head::Omega.of(&body.name)).find(|other| {

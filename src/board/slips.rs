@@ -5,7 +5,7 @@ use super::entry::{Compute, Entry, LayOff, Measure};
 use super::formula::Formula;
 use super::free_hand::FREE;
 use super::given::Given;
-use super::reads::LENGTH;
+use super::names::LENGTH;
 use super::table::{Made, Table};
 use crate::check::Told;
 use crate::check::tell;
@@ -57,7 +57,7 @@ impl Slip<'_, '_> {
 
     /// A segment that was measured between other points, or read otherwise than it is.
     fn measured(&self, measure: &Measure, (name, found): &(String, f64), right: f64) -> Option<Told> {
-        let (sheet, ends) = super::reads::segment_of(name).or_else(|| {
+        let (sheet, ends) = super::names::segment_of(name).or_else(|| {
             // Two points written together mean what lies between them.
             let sheet = measure.on?;
             let points: Vec<&str> = self.table.given.places(sheet).map(|(point, _)| point).collect();
@@ -168,7 +168,7 @@ impl Slip<'_, '_> {
                     let other = segments(self.table, Order::Velocity).into_iter().find(|(_, v)| is_right(own, *v));
                     if other.is_some() {
                         let [from, to] = ends();
-                        let image = super::given::image(&quantity.arguments[0]);
+                        let image = crate::construction::image_name(&quantity.arguments[0]);
                         return Some(tell::normal_from_absolute(
                             from,
                             to,
@@ -184,7 +184,7 @@ impl Slip<'_, '_> {
         let exchanged = self.exchanged(&[formula], &is_right)?;
         // The velocity in a normal part is that of one point relative to the other.
         let pole = formula.names().into_iter().find_map(|own| {
-            let (sheet, ends) = super::reads::segment_of(own).filter(|(sheet, _)| *sheet == Sheet::Velocity)?;
+            let (sheet, ends) = super::names::segment_of(own).filter(|(sheet, _)| *sheet == Sheet::Velocity)?;
             let absolute = ends.iter().position(|end| self.table.given.place(sheet, end) == Some(Vector::zeros()))?;
             Some(ends[1 - absolute].clone())
         });
@@ -201,7 +201,7 @@ impl Slip<'_, '_> {
     /// The angular velocity of the link whose length stands in a formula.
     pub(super) fn rate_of(&self, formula: &Formula) -> Blank {
         let mechanism = self.table.given.mechanism();
-        let ends = formula.names().into_iter().find_map(super::reads::segment_of).map(|(_, ends)| ends);
+        let ends = formula.names().into_iter().find_map(super::names::segment_of).map(|(_, ends)| ends);
         let link = ends.and_then(|ends| {
             let points = [mechanism.point(&ends[0])?, mechanism.point(&ends[1])?];
             mechanism.links().find(|(_, body)| points.iter().all(|point| body.points.contains(point)))
@@ -279,7 +279,7 @@ impl Slip<'_, '_> {
                 false => [Head::Normal, Head::Tangential].map(|head| head.of_two(a, b)),
             };
             let sizes = names.iter().filter_map(|name| self.table.given.number(name));
-            sizes.into_iter().any(|size| self.is_same(size, right.abs())) || super::given::image(a) == name
+            sizes.into_iter().any(|size| self.is_same(size, right.abs())) || crate::construction::image_name(a) == name
         })
     }
 

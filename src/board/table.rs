@@ -1,9 +1,10 @@
 //! The things that a hand has made so far, by their names.
 
 use super::formula::Formula;
-use super::given::{Given, image};
-use super::reads::segment_of;
+use super::given::Given;
+use super::names::segment_of;
 use super::says;
+use crate::construction::image_name;
 use crate::geometry::{Vector, cross};
 use crate::message::Message;
 use crate::scene::{Head, QuantityName};
@@ -193,10 +194,10 @@ impl<'g> Table<'g> {
             return ends(sheet, &from, &to);
         }
         match (quantity.head, quantity.arguments.as_slice()) {
-            (Head::Velocity, [point]) => ends(Sheet::Velocity, Order::Velocity.pole(), &image(point)),
-            (Head::Velocity, [point, from]) => ends(Sheet::Velocity, &image(from), &image(point)),
-            (Head::Acceleration, [point]) => ends(Sheet::Acceleration, Order::Acceleration.pole(), &image(point)),
-            (Head::Acceleration, [point, from]) => ends(Sheet::Acceleration, &image(from), &image(point)),
+            (Head::Velocity, [point]) => ends(Sheet::Velocity, Order::Velocity.pole(), &image_name(point)),
+            (Head::Velocity, [point, from]) => ends(Sheet::Velocity, &image_name(from), &image_name(point)),
+            (Head::Acceleration, [point]) => ends(Sheet::Acceleration, Order::Acceleration.pole(), &image_name(point)),
+            (Head::Acceleration, [point, from]) => ends(Sheet::Acceleration, &image_name(from), &image_name(point)),
             _ => None,
         }
     }

@@ -4,7 +4,7 @@ use super::direction::Direction;
 use super::entry::{Compute, Cross, Entry, Join, LayOff, Like, Line, Mark, Measure, Solve, Undo};
 use super::file::HandDrawing;
 use super::judge::{Judge, JudgedDrawing, Verdict, Wrong};
-use super::reads::two_points;
+use super::names::two_points;
 use super::says;
 use crate::message::Message;
 use crate::words::{Medium, Wording};

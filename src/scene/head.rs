@@ -3,7 +3,6 @@
 
 use self::Argument::{Link, Load, Point, Slider};
 use self::Form::{About, Against, Alone, Both, One, Two};
-use super::quantity_name::Component;
 use crate::sheet::{QuantityKind, Sheet};
 
 /// What a quantity's name asks for: the word before its parenthesis.
@@ -131,6 +130,30 @@ impl Form {
             Form::Against(_) | Form::Both(_) => Some("/"),
             Form::Two(..) | Form::About(..) => Some(","),
         }
+    }
+}
+
+/// A number of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Component {
+    /// Along x.
+    X,
+    /// Along y.
+    Y,
+    /// Its magnitude.
+    Size,
+    /// Its direction from +x, in degrees.
+    Angle,
+}
+
+impl Component {
+    /// What stands behind a name for each.
+    pub(super) const TAILS: [(Component, &'static str); 4] =
+        [(Component::X, ".x"), (Component::Y, ".y"), (Component::Size, ".size"), (Component::Angle, ".angle")];
+
+    /// What stands behind a name for it.
+    pub(super) fn tail(self) -> &'static str {
+        Component::TAILS.into_iter().find(|(own, _)| *own == self).map_or("", |(_, tail)| tail)
     }
 }
 

@@ -55,7 +55,7 @@ pub use error::{Place, SceneError};
 pub use figure::Figure;
 pub use friction::{Friction, Grip, RubbingJoint};
 pub use given::{Drive, GivenBy, LinkMotion, PointMotion, SliderDrive};
-pub use head::{Argument, Head};
+pub use head::{Argument, Component, Head};
 pub use joint::*;
 pub use kinds::Kind;
 pub use link::{Length, Link, Shape};
@@ -63,7 +63,7 @@ pub use loads::{Amount, Analysis, LinkPlace, Load, Loads, Mass, Spring, SpringEn
 pub use over::{Gauge, Over};
 pub use page::{Measure, Page, PageSize, Sizes};
 pub use points::Near;
-pub use quantity_name::{Component, QuantityName};
+pub use quantity_name::QuantityName;
 pub(crate) use read::MOST_MARKS;
 pub use read::{Scene, SizeLimit};
 #[doc(hidden)] // for tests

@@ -1,7 +1,7 @@
 //! The name of a quantity taken apart, as `vplan(b,s3)/mu`: what it asks for, of which links, sliders and points, and of
 //! what kind its value is (`head`). It is read here and nowhere else; whether the scene has these links and points, `quantity` knows.
 
-use super::head::{Argument, Form, Head};
+use super::head::{Argument, Component, Form, Head};
 use super::units::{ForceUnit, Units};
 use crate::sheet::QuantityKind;
 use std::fmt;
@@ -17,30 +17,6 @@ pub struct QuantityName {
     pub component: Option<Component>,
     /// Whether it is a length on paper, in millimetres: with `/mu` behind it.
     pub on_paper: bool,
-}
-
-/// A number of a vector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Component {
-    /// Along x.
-    X,
-    /// Along y.
-    Y,
-    /// Its magnitude.
-    Size,
-    /// Its direction from +x, in degrees.
-    Angle,
-}
-
-impl Component {
-    /// What stands behind a name for each.
-    const TAILS: [(Component, &'static str); 4] =
-        [(Component::X, ".x"), (Component::Y, ".y"), (Component::Size, ".size"), (Component::Angle, ".angle")];
-
-    /// What stands behind a name for it.
-    pub(super) fn tail(self) -> &'static str {
-        Component::TAILS.into_iter().find(|(own, _)| *own == self).map_or("", |(_, tail)| tail)
-    }
 }
 
 impl QuantityName {

@@ -90,7 +90,7 @@ pub fn read_by_hand(solution: &Solution, asked: &[QuantityRequest]) -> (Construc
     let mut construction = reader.writer.construction;
     construction.operations.retain(|operation| operation.by_hand);
     if construction.by_hand != Sheet::USUAL {
-        keep_drawn(&mut construction, &readings);
+        keep_drawn(&mut construction, readings.iter().flatten().map(|reading| reading.number));
     }
     (construction, readings)
 }

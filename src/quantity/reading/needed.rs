@@ -1,13 +1,12 @@
 //! What of a construction a hand leaves out where it does not draw all sheets.
 
-use super::{Reading, Unread};
-use crate::construction::{Construction, Operation, OperationKind};
+use crate::construction::{Construction, NumberId, Operation, OperationKind};
 use crate::sheet::Sheet;
 use std::collections::BTreeSet;
 
 /// Leaves out what is done on sheets that a hand does not draw, but for the given numbers that others need; and on a scheme that is drawn for its
 /// forces alone what only velocities need.
-pub(super) fn keep_drawn(construction: &mut Construction, readings: &[Result<Reading, Unread>]) {
+pub(super) fn keep_drawn(construction: &mut Construction, read: impl Iterator<Item = NumberId>) {
     let has_plans = construction.draws_plans();
     let Construction { operations, by_hand, .. } = construction;
     let mut needed: BTreeSet<usize> = BTreeSet::new();
@@ -19,14 +18,13 @@ pub(super) fn keep_drawn(construction: &mut Construction, readings: &[Result<Rea
         _ => by_hand.contains(&operation.sheet),
     });
     if !has_plans {
-        keep_needed(operations, readings);
+        keep_needed(operations, read.map(|number| number.0).collect());
     }
 }
 
 /// Leaves out what is done on the scheme and needed by nothing on other sheets, but for the joints.
-fn keep_needed(operations: &mut Vec<Operation>, readings: &[Result<Reading, Unread>]) {
+fn keep_needed(operations: &mut Vec<Operation>, mut numbers: BTreeSet<usize>) {
     let (mut places, mut lines) = (BTreeSet::new(), BTreeSet::new());
-    let mut numbers: BTreeSet<usize> = readings.iter().flatten().map(|reading| reading.number.0).collect();
     let mut kept: Vec<bool> = Vec::new();
     for Operation { sheet, kind, .. } in operations.iter().rev() {
         let is_needed = *sheet != Sheet::Scheme
