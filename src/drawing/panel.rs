@@ -298,6 +298,7 @@ pub(super) fn plan_extent(sheet: Sheet, construction: &Construction, details: Co
 fn above(context: &SheetContext<'_>, sheet: Sheet) -> f64 {
     match sheet {
         Sheet::Speeds => speeds::ABOVE,
+        Sheet::Forces => scheme::above(context).max(forces::ABOVE),
         Sheet::Velocity | Sheet::Acceleration => 0.0,
         _ => scheme::above(context),
     }
