@@ -104,7 +104,7 @@ pub use sentence::Teller;
 pub(crate) use solution::asked_construction;
 pub(crate) use solution::force_polygons;
 pub use solution::{Solution, construct};
-pub use speeds::{PitchCircle, SpeedDiagram, SpeedLine, SpeedSpot, SpeedStep, SpotName};
+pub use speeds::{BeltLine, PitchCircle, PitchLine, SpeedDiagram, SpeedLine, SpeedSpot, SpeedStep, SpotName};
 pub use step::{Action, LegEquation, NumberedStep, RateEquation, WheelEquation};
 pub use vectors::PlanVector;
 pub(crate) use writer::Writer;

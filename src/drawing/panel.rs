@@ -319,6 +319,7 @@ pub(super) fn panels<'a>(
         };
         let needs = Needs {
             above: above(context, sheet),
+            below: if sheet == Sheet::Speeds { speeds::below(context) } else { 0.0 },
             mu: context.surface.mu[sheet],
             weight: if context.figure().focus.is_some_and(|focus| focus != sheet) {
                 COMPANION

@@ -14,6 +14,7 @@ mod springs;
 mod values;
 mod wheels;
 
+pub(super) use rack::{hatch_line, tangents};
 pub(super) use sliders::{BLOCK, above};
 pub(super) use wheels::hatch_rim;
 
