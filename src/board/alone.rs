@@ -2,7 +2,7 @@
 //! must go through the point for which it is used.
 
 use super::bench::{Bench, Found, is_size_of_force};
-use super::file::{Compute, Cross, Entry, LayOff, Line, Measure, Solve};
+use super::entry::{Compute, Cross, Entry, LayOff, Line, Measure, Solve};
 use super::formula::Formula;
 use super::says;
 use super::table::{DrawnLine, Made, Table};
@@ -252,7 +252,7 @@ impl Bench<'_> {
 
     /// Whether a length or a segment is measured between other points than its name has.
     pub fn is_between_others(&self, measure: &Measure) -> bool {
-        let Some((sheet, ends)) = super::reads::segment_of(&measure.measure) else { return false };
+        let Some((sheet, ends)) = super::names::segment_of(&measure.measure) else { return false };
         let own = [&measure.from, &measure.to];
         let place = |name: &String| self.own.place(sheet, name);
         // A point may have several names.

@@ -2,7 +2,8 @@
 
 use super::cause::Causes;
 use super::direction::Direction;
-use super::file::{Compute, Cross, Entry, HandDrawing, LayOff, Line, Measure, Solve};
+use super::entry::{Compute, Cross, Entry, LayOff, Line, Measure, Solve};
+use super::file::HandDrawing;
 use super::force_plan::{Corner, ForceLine, OnPlan};
 use super::formula::Formula;
 use super::given::Given;

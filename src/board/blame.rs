@@ -3,7 +3,7 @@
 use super::alone::Held;
 use super::bench::{Bench, has_numbers, is_typed_here};
 use super::direction::Direction;
-use super::file::{Compute, Entry, LayOff, Line, Measure};
+use super::entry::{Compute, Entry, LayOff, Line, Measure};
 use super::formula::Formula;
 use super::judge::{Verdict, Wrong};
 use super::reads::reads;
@@ -11,7 +11,7 @@ use super::says;
 use super::slips::Slip;
 use super::table::{Made, things};
 use crate::check::{Blank, Mistake, Told, tell};
-use crate::geometry::{Vector, unit};
+use crate::geometry::{Vector, complex_product, unit};
 use crate::message::Message;
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{QuantityKind, Sheet};
@@ -150,7 +150,7 @@ impl Bench<'_> {
     /// A segment of the hand's own that was measured between other points than its name says.
     fn between_others(&self, entry: &Entry) -> Option<Told> {
         let Entry::Measure(measure) = entry else { return None };
-        let (sheet, _) = super::reads::segment_of(&measure.measure).filter(|_| self.is_between_others(measure))?;
+        let (sheet, _) = super::names::segment_of(&measure.measure).filter(|_| self.is_between_others(measure))?;
         Some(super::slips::between_others(self.judge.given(), sheet, &measure.measure, [&measure.from, &measure.to]))
     }
 
@@ -179,7 +179,7 @@ impl Bench<'_> {
     /// What the hand's own names of measured segments and lengths mean.
     fn measured(&self, is_of_forces: bool) -> BTreeMap<String, (Sheet, [String; 2])> {
         let own = self.done.iter().filter_map(|(_, entry)| match entry {
-            Entry::Measure(measure) if super::reads::segment_of(&measure.measure).is_none() => {
+            Entry::Measure(measure) if super::names::segment_of(&measure.measure).is_none() => {
                 let (sheet, ends) = (self.measured_on(measure)?, [measure.from.clone(), measure.to.clone()]);
                 // What lies at a point of the hand's own is as right as that.
                 let have_meaning =
@@ -252,7 +252,8 @@ impl Bench<'_> {
                             Ok(Made::Place(_, _, found)) => found - own_start,
                             _ => at - start,
                         };
-                        start + over(times(found, right - begins.1), expected - begins.0).unwrap_or(at - start)
+                        start
+                            + over(complex_product(found, right - begins.1), expected - begins.0).unwrap_or(at - start)
                     });
                 Made::Place(sheet, name, at)
             }
@@ -418,13 +419,8 @@ fn is_of_forces(entry: &Entry) -> bool {
     }
 }
 
-/// The product of two vectors as complex numbers.
-fn times(a: Vector, b: Vector) -> Vector {
-    Vector::new(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
-}
-
 /// Their quotient; `None` where the divisor is nothing.
 fn over(a: Vector, b: Vector) -> Option<Vector> {
     let size = b.norm_squared();
-    (size > 0.0).then(|| times(a, Vector::new(b.x, -b.y)) / size)
+    (size > 0.0).then(|| complex_product(a, Vector::new(b.x, -b.y)) / size)
 }

@@ -1,7 +1,7 @@
 //! What a hand probably did where an operation is wrong: the same operation in the catalogue of mistakes of the check; and where a
 //! construction leads that goes on with the hand's own things.
 
-use super::file::{Compute, Entry, LayOff};
+use super::entry::{Compute, Entry, LayOff};
 use super::judge::Judge;
 use super::table::{Made, Table};
 use crate::check::replayed::{Replayed, Touched};
@@ -263,7 +263,7 @@ impl Seen<'_, '_> {
         let known = measured_names(self.table.given.construction());
         let sides = solve.equations.iter().filter_map(|text| super::formula::Formula::sides(text).ok());
         sides.flatten().any(|side| {
-            let mut segments = side.names().into_iter().filter(|name| super::reads::segment_of(name).is_some());
+            let mut segments = side.names().into_iter().filter(|name| super::names::segment_of(name).is_some());
             segments.any(|name| !known.iter().any(|known| known == name))
         })
     }

@@ -3,9 +3,9 @@
 use super::alone::Held;
 use super::bench::Bench;
 use super::direction::Direction;
-use super::file::{Compute, Cross, Entry, Join, Line};
+use super::entry::{Compute, Cross, Entry, Join, Line};
 use super::given::Given;
-use super::reads::is_center;
+use super::names::is_center;
 use super::slips::Slip;
 use super::table::{Made, Table};
 use crate::centers::LinkPair;
@@ -182,7 +182,7 @@ impl Slip<'_, '_> {
     /// What is wrong with a number by distances of centres: the ratio upside down, its sense, another distance.
     pub(super) fn by_centers(&self, compute: &Compute, (name, found): (&str, f64), right: f64) -> Option<Told> {
         let formula = compute.by.as_ref()?;
-        let has_center = |name: &&str| super::reads::segment_of(name).is_some_and(|(sheet, _)| sheet == Sheet::Centers);
+        let has_center = |name: &&str| super::names::segment_of(name).is_some_and(|(sheet, _)| sheet == Sheet::Centers);
         let distances: Vec<&str> = formula.names().into_iter().filter(has_center).collect();
         if distances.is_empty() {
             return None;

@@ -1,6 +1,6 @@
 //! Equations for numbers: solved, or held to given ones.
 
-use super::file::Solve;
+use super::entry::Solve;
 use super::formula::Formula;
 use super::says;
 use super::table::{Made, Table};

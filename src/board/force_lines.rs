@@ -2,7 +2,7 @@
 
 use super::alone::SAME;
 use super::bench::{Bench, Found};
-use super::file::{Cross, Entry, Line, Measure};
+use super::entry::{Cross, Entry, Line, Measure};
 use super::force_plan::{Corner, ForceLine, OnPlan};
 use super::polygons::{Forces, GivenPolygon};
 use super::says;

@@ -3,7 +3,7 @@
 
 use super::alone::SAME;
 use super::bench::{Bench, Found};
-use super::file::{Entry, LayOff};
+use super::entry::{Entry, LayOff};
 use super::judge::{Verdict, Wrong};
 use super::polygons::{Forces, GivenPolygon, MOST_FORCES};
 use super::says;

@@ -3,10 +3,10 @@
 use super::alone::Held;
 use super::bench::{Bench, Found};
 use super::direction::Direction;
-use super::file::{Cross, Entry, LayOff, Line, Measure};
-use super::given::image;
+use super::entry::{Cross, Entry, LayOff, Line, Measure};
 use super::says;
 use super::table::{DrawnLine, Made};
+use crate::construction::image_name;
 use crate::geometry::Vector;
 use crate::message::Message;
 use crate::sheet::Sheet;
@@ -98,11 +98,12 @@ impl Bench<'_> {
                 .flat_map(|at| points[at + 1..].iter().map(|to| [points[at], *to]).collect::<Vec<_>>())
                 .collect();
             // The image of a link is as its triangle: at a side that is there the angle to another.
-            for base in pairs.iter().filter(|ends| ends.iter().all(|end| self.own.place(sheet, &image(end)).is_some()))
+            for base in
+                pairs.iter().filter(|ends| ends.iter().all(|end| self.own.place(sheet, &image_name(end)).is_some()))
             {
                 all.extend(pairs.iter().filter(|other| *other != base).map(|other| Direction::Turned {
                     turned: [base.join(","), other.join(",")],
-                    base: base.map(image).join(","),
+                    base: base.map(image_name).join(","),
                 }));
             }
         }

@@ -1,16 +1,14 @@
 //! What is known before the hand begins, and what every name means in the end: the solved scene, with all points in its plans.
 
+use super::names::is_center;
 use super::polygons::{GivenPolygon, direction_of_load, load_places, pitch_points, polygons};
-use super::reads::is_center;
 use super::says;
 use crate::centers::LinkPair;
 use crate::construction::Rate;
-use crate::construction::{
-    Center, Construction, Extent, PointRole, Solution, asked_construction, coincident_name, image_name,
-};
+use crate::construction::{Center, Construction, Extent, PointRole, Solution, asked_construction};
 use crate::forces::Source;
 use crate::geometry::{Point, Vector, span, unit};
-use crate::mechanism::{BodyId, Mechanism, Role};
+use crate::mechanism::{Mechanism, Role};
 use crate::message::Message;
 use crate::quantity::{ForceOf, Quantity, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
@@ -300,73 +298,6 @@ impl Given {
         let mechanism = self.mechanism();
         mechanism.link(name).is_some() || mechanism.slider_ids().any(|id| mechanism.slider_name(id) == name)
     }
-
-    /// The sizes of all vectors that a plan may show, and the vectors: parts of the motion of one point of a link relative to another,
-    /// of sliders, and whole ones.
-    pub(super) fn vectors(&self, sheet: Sheet) -> Vec<Vector> {
-        let Some(order) = sheet.order() else { return Vec::new() };
-        let mechanism = self.mechanism();
-        let acceleration = order == crate::sheet::Order::Acceleration;
-        let heads: &[&str] = if acceleration { &["a", "a_n", "a_t"] } else { &["v"] };
-        let mut names = Vec::new();
-        for (id, _) in mechanism.links() {
-            let points = self.points_of(id);
-            for [a, _] in &points {
-                names.push(format!("{}({a})", heads[0]));
-                for [b, _] in points.iter().filter(|[b, _]| b != a) {
-                    names.extend(heads.iter().map(|head| format!("{head}({a}/{b})")));
-                }
-            }
-        }
-        let mut vectors: Vec<Vector> = names.iter().filter_map(|name| self.vector(name)).collect();
-        for id in mechanism.slider_ids() {
-            let (name, guide) = (mechanism.slider_name(id), self.solution.pose.guide(id));
-            let size = |head: &str| self.number(&format!("{head}({name})")).unwrap_or(0.0);
-            vectors.push(guide * size(if acceleration { "a_r" } else { "v_r" }));
-            if acceleration {
-                let coriolis = crate::geometry::quarter_turn(guide);
-                vectors.push(coriolis * size("a_c"));
-                vectors.push(coriolis * -size("a_c"));
-            }
-        }
-        vectors
-    }
-
-    /// The points of a link: its joints, its special points and those that coincide with what slides on it; each by its name and by that of
-    /// its place on the scheme.
-    pub(super) fn points_of(&self, link: BodyId) -> Vec<[String; 2]> {
-        let (mechanism, body) = (self.mechanism(), self.mechanism().body(link));
-        let joints = body.points.iter().map(|point| mechanism.point_name(*point));
-        let special = self.construction().special.iter().filter(|special| special.link == link);
-        let mut points: Vec<[String; 2]> = joints
-            .chain(special.map(|special| special.name.as_str()))
-            .map(|name| [(); 2].map(|()| name.to_owned()))
-            .collect();
-        for slider in mechanism.sliders.iter().filter(|slider| slider.on == link && !body.has(slider.at)) {
-            let at = mechanism.point_name(slider.at);
-            points.push([coincident_name(at, &body.name), at.to_owned()]);
-        }
-        points
-    }
-
-    /// The parts along x and y of the vectors that the scene gives.
-    pub(super) fn given_parts(&self, sheet: Sheet) -> Vec<Vector> {
-        let Some(order) = sheet.order() else { return Vec::new() };
-        let mechanism = self.mechanism();
-        let head = if order == crate::sheet::Order::Acceleration { "a" } else { "v" };
-        let moving = mechanism.bodies.iter().filter(|b| matches!(b.role, Role::Moving { .. } | Role::Carrier { .. }));
-        let points = moving.flat_map(|body| &body.points);
-        let given = points.filter_map(|point| self.vector(&format!("{head}({})", mechanism.point_name(*point))));
-        given.flat_map(|v| [Vector::new(v.x, 0.0), Vector::new(0.0, v.y)]).collect()
-    }
-
-    fn vector(&self, name: &str) -> Option<Vector> {
-        let asked = QuantityRequest::new(name, self.mechanism()).ok()?;
-        match asked.value(&self.solution.snapshot(), Some(self.construction()), None).ok()? {
-            Quantity::Vector(v) => Some(v),
-            Quantity::Number(_) => None,
-        }
-    }
 }
 
 /// How far from the mechanism an instant centre may be that has a place on a board, in sizes of the mechanism: no sheet is larger.
@@ -408,9 +339,4 @@ fn by_motion(pair: LinkPair, solution: &Solution) -> Option<Point> {
 /// The name of a segment with the pole as results call it.
 fn with_usual_poles(name: &str) -> String {
     name.replace("aplan(pi,", "aplan(π,").replace(",pi)", ",π)")
-}
-
-/// The name of a scheme's point as its image on a plan.
-pub(super) fn image(name: &str) -> String {
-    image_name(name)
 }

@@ -1,11 +1,12 @@
 //! Hints by stages: where, what, and what would be drawn.
 
 use super::centers::{is_found, needed};
-use super::file::{Entry, HandDrawing, Measure};
+use super::entry::{Entry, Measure};
+use super::file::HandDrawing;
 use super::judge::{JudgedDrawing, Verdict};
 use super::says;
 use super::screen::{Screen, across, path};
-use super::snap::{Ghost, GhostKind};
+use super::shown::{Ghost, GhostKind};
 use super::table::{Made, Table};
 use crate::geometry::cross;
 use crate::sheet::Sheet;

@@ -1,6 +1,7 @@
 //! The judge of drawings, and what it finds.
 
-use super::file::{Cross, Entry, HandDrawing};
+use super::entry::{Cross, Entry};
+use super::file::HandDrawing;
 use super::given::Given;
 use super::others::others;
 use super::says;

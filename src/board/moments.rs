@@ -1,9 +1,9 @@
 //! What is probably wrong with a sum of moments that was taken in another way than Kinegon's own: another point, other arms.
 
 use super::bench::Bench;
-use super::file::{Compute, Entry, Solve};
+use super::entry::{Compute, Entry, Solve};
 use super::formula::Formula;
-use super::reads::segment_of;
+use super::names::segment_of;
 use super::table::Made;
 use crate::check::{Blank, Mistake, Told, tell};
 use crate::construction::{LoadShown, Teller, plain_text};

@@ -1,14 +1,15 @@
 //! The numbers beside the sheets of a board, and the names of one's own that are free.
 
 use super::file::HandDrawing;
-use super::reads::two_points;
+use super::names::{LENGTH, two_points};
 use super::screen::Screen;
 use super::shown::{BoardNumber, FreeNames};
 use super::table::Table;
 use crate::drawing::{RichText, SheetLabels};
 use crate::forces::Source;
 use crate::format::html_text;
-use crate::quantity::{LoadOf, QuantityRequest};
+use crate::quantity::QuantityRequest;
+use crate::scene::Head;
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
 use std::collections::BTreeMap;
@@ -67,23 +68,23 @@ impl Numbers<'_> {
         let given = self.screen.judge.given();
         let mechanism = given.mechanism();
         let mut names: Vec<String> = Vec::new();
-        for (id, body) in mechanism.links().filter(|(id, _)| mechanism.is_known(*id)) {
-            let _ = id;
-            names.extend(["omega", "alpha"].map(|head| format!("{head}({})", body.name)));
+        for (_, body) in mechanism.links().filter(|(id, _)| mechanism.is_known(*id)) {
+            names.extend([Head::Omega, Head::Alpha].map(|head| head.of(&body.name)));
         }
         for id in mechanism.slider_ids().filter(|id| mechanism.slider(*id).drive.is_some()) {
-            names.extend(["v_r", "a_r"].map(|head| format!("{head}({})", mechanism.slider_name(id))));
+            let slider = mechanism.slider_name(id);
+            names.extend([Head::SlideVelocity, Head::SlideAcceleration].map(|head| head.of(&slider)));
         }
         let loads = given.construction().forces.iter().flat_map(|plan| &plan.loads);
         for load in loads.filter(|_| !given.polygons.is_empty()) {
-            names.push(format!("load({})", LoadOf { source: load.source, body: load.body }.name(mechanism)));
+            names.push(load.name(mechanism));
             let is_inertia = load.source == Source::Inertia;
-            names.extend(is_inertia.then(|| format!("M_i({})", mechanism.body(load.body).name)));
+            names.extend(is_inertia.then(|| Head::InertiaCouple.of(&mechanism.body(load.body).name)));
         }
         for body in &mechanism.bodies {
             let points: Vec<&str> = body.points.iter().map(|point| mechanism.point_name(*point)).collect();
             for (at, from) in points.iter().enumerate() {
-                names.extend(points[at + 1..].iter().map(|to| format!("L({from},{to})")));
+                names.extend(points[at + 1..].iter().map(|to| Sheet::Scheme.segment_name(from, to)));
             }
         }
         let known: IndexMap<String, f64> =
@@ -100,7 +101,7 @@ impl Numbers<'_> {
         let mut all = self.given();
         // Lengths that are taken from the scheme, as up to a block on its lever or to a special point.
         let pairs = self.screen.references(table).into_iter().filter(|reference| two_points(&reference.name).is_some());
-        for name in pairs.map(|reference| format!("L({})", reference.name)) {
+        for name in pairs.map(|reference| LENGTH.of(&reference.name)) {
             if let (Some(number), false) = (table.known(&name), all.iter().any(|known| known.name == name)) {
                 all.push(self.number(&name, number, None));
             }

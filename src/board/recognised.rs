@@ -2,11 +2,12 @@
 //! with these; what the same formula gives with right things is the right number in its place.
 
 use super::bench::Bench;
-use super::file::{Compute, Entry, LayOff};
+use super::entry::{Compute, Entry, LayOff};
 use super::formula::Formula;
-use super::given::image;
 use super::table::{Made, Table};
+use crate::construction::image_name;
 use crate::mechanism::{BodyId, GROUND};
+use crate::scene::Head;
 use crate::sheet::{Order, Sheet};
 
 /// What a number with three digits may be off by, in parts.
@@ -67,18 +68,17 @@ impl Bench<'_> {
         let given = self.judge.given();
         let (mechanism, motion) = (given.mechanism(), &given.solution.motion);
         let both = |of: &dyn Fn(&Table<'_>) -> Option<f64>| Some([of(&self.own)?, of(&self.right[0])?]);
-        let rate = |head: &str, id: BodyId, right: f64| {
-            let name = format!("{head}({})", mechanism.body(id).name);
-            self.own.known(&name).map(|own| [own, right])
+        let rate = |head: Head, id: BodyId, right: f64| {
+            self.own.known(&head.of(&mechanism.body(id).name)).map(|own| [own, right])
         };
         let mut all = Vec::new();
         let mut omegas = Vec::new();
         for (id, _) in mechanism.links() {
-            omegas.extend(rate("omega", id, motion.body(id).omega));
+            omegas.extend(rate(Head::Omega, id, motion.body(id).omega));
         }
         for (id, _) in mechanism.links() {
-            let omega = rate("omega", id, motion.body(id).omega);
-            let alpha = rate("alpha", id, motion.body(id).alpha);
+            let omega = rate(Head::Omega, id, motion.body(id).omega);
+            let alpha = rate(Head::Alpha, id, motion.body(id).alpha);
             all.extend([omega, alpha].into_iter().flatten());
             let points = given.points_of(id);
             for (at, [name, a]) in points.iter().enumerate() {
@@ -87,7 +87,7 @@ impl Bench<'_> {
                         both(&|table| Some((table.place(sheet, a)? - table.place(sheet, b)?).norm()))
                     };
                     let Some(length) = apart(Sheet::Scheme, [a, b]) else { continue };
-                    let velocity = apart(Sheet::Velocity, [&image(name), &image(other)]);
+                    let velocity = apart(Sheet::Velocity, [&image_name(name), &image_name(other)]);
                     let squared = |omega: Both| product(omega, product(omega, length));
                     all.extend(omega.map(squared));
                     all.extend([omega, alpha].into_iter().flatten().map(|rate| product(rate, length)));
@@ -96,8 +96,8 @@ impl Bench<'_> {
                     if wrongly {
                         all.extend(omegas.iter().map(|omega| squared(*omega)));
                         all.extend(omegas.iter().map(|omega| squared(*omega).map(|size| 2.0 * size)));
-                        let absolute =
-                            [name, other].map(|point| apart(Sheet::Velocity, [&image(point), Order::Velocity.pole()]));
+                        let absolute = [name, other]
+                            .map(|point| apart(Sheet::Velocity, [&image_name(point), Order::Velocity.pole()]));
                         all.extend(absolute.into_iter().flatten().map(over_length));
                     }
                 }
@@ -105,11 +105,11 @@ impl Bench<'_> {
         }
         for id in mechanism.slider_ids() {
             let slide = &motion.slides[id.0];
-            let [sliding, change] = [("v_r", slide.velocity), ("a_r", slide.acceleration)].map(|(head, right)| {
-                self.own.known(&format!("{head}({})", mechanism.slider_name(id))).map(|own| [own, right])
-            });
+            let rates = [(Head::SlideVelocity, slide.velocity), (Head::SlideAcceleration, slide.acceleration)];
+            let [sliding, change] =
+                rates.map(|(head, right)| self.own.known(&head.of(&mechanism.slider_name(id))).map(|own| [own, right]));
             let on = mechanism.slider(id).on;
-            let turning = (on != GROUND).then(|| rate("omega", on, motion.body(on).omega)).flatten();
+            let turning = (on != GROUND).then(|| rate(Head::Omega, on, motion.body(on).omega)).flatten();
             let coriolis = turning.zip(sliding).map(|(omega, sliding)| product(omega, sliding));
             all.extend([sliding, change, coriolis.map(|size| size.map(|size| 2.0 * size))].into_iter().flatten());
             all.extend(coriolis.filter(|_| wrongly));

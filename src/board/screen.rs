@@ -1,22 +1,20 @@
 //! A drawing as a board on a screen shows it: its sheets, what can be pointed at, the numbers beside them, names to choose from.
 //! Places are in millimetres of a sheet from its upper left corner, y down, as in its picture.
 
-use super::file::{Entry, HandDrawing, LayOff, Snap};
+use super::entry::Entry;
+use super::file::{HandDrawing, Snap};
 use super::free_hand::FREE;
-use super::judge::{BoardError, Judge, JudgedDrawing, Verdict};
+use super::judge::{BoardError, Judge};
 use super::reads::reads;
 use super::shown::{Board, BoardEntry, BoardName, BoardRefused, BoardSheet, BoardThing, NUMBERS, NameKind, ThingKind};
 use super::table::{DrawnLine, Made, Table, things};
 use super::writes::own_drawing;
 use crate::construction::Rate;
-use crate::drawing::{
-    Drawing, HandLine, HandLook, HandPaper, HandPoint, HandSheet, HandVector, RichText, SheetLabels, hand_sheet,
-    hand_sheets,
-};
+use crate::drawing::{HandPaper, RichText, SheetLabels};
 use crate::format::html_text;
-use crate::geometry::{Vector, cross};
+use crate::geometry::Vector;
 use crate::mechanism::{GROUND, Mechanism};
-use crate::quantity::{LoadOf, QuantityRequest, Spot, What, readable_names, step_names};
+use crate::quantity::{QuantityRequest, Spot, What, readable_names, step_names};
 use crate::scene::QuantityName;
 use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::words::{Medium, Wording};
@@ -72,7 +70,7 @@ impl Screen {
         self.own.get_or_init(write).as_ref()
     }
 
-    fn shows(&self, sheet: Sheet) -> bool {
+    pub(super) fn shows(&self, sheet: Sheet) -> bool {
         let given = self.judge.given();
         let is_drawn = || given.construction().by_hand.contains(&sheet) && given.has_sheet(sheet);
         sheet == Sheet::Scheme || is_drawn()
@@ -205,86 +203,6 @@ impl Screen {
         all
     }
 
-    /// What gives directions on the sheet of forces: two corners, between which a force lies.
-    pub(super) fn corners(&self, table: &Table<'_>) -> Vec<Reference> {
-        let given = self.judge.given();
-        let places: Vec<(&str, Vector)> = table.places(Sheet::Forces).collect();
-        let mut all = Vec::new();
-        for (at, (from, start)) in places.iter().enumerate() {
-            // Between the starts of two polygons there is nothing.
-            let others = places[at + 1..].iter().filter(|(to, _)| !(given.is_there(from) && given.is_there(to)));
-            all.extend(others.map(|(to, end)| Reference {
-                name: format!("{from},{to}"),
-                kind: ThingKind::Link,
-                words: format!("{from}{to}").into(),
-                ends: [*start, *end],
-            }));
-        }
-        all
-    }
-
-    /// What gives directions on the scheme: links, pairs of their points, guides.
-    pub(super) fn references(&self, table: &Table<'_>) -> Vec<Reference> {
-        let given = self.judge.given();
-        let mechanism = given.mechanism();
-        let place = |name: &str| table.place(Sheet::Scheme, name);
-        let mut all = Vec::new();
-        for (id, body) in mechanism.links() {
-            let mut points: Vec<&str> = body.points.iter().map(|point| mechanism.point_name(*point)).collect();
-            if let ([from, to], Some(Ok(_))) = (points.as_slice(), given.direction(&body.name))
-                && let (Some(from), Some(to)) = (place(from), place(to))
-            {
-                let words = super::says::link(&body.name);
-                all.push(Reference { name: body.name.clone(), kind: ThingKind::Link, words, ends: [from, to] });
-            }
-            // Of a dyad that is its inner joint, which is there already.
-            let special = given.construction().special.iter().filter(|special| special.link == id);
-            let special = special.map(|special| special.name.as_str()).filter(|name| mechanism.point(name).is_none());
-            points.extend(special.collect::<Vec<_>>());
-            // What slides on a link is on its guide just now, as are both ends of a piston's rod.
-            for slider in mechanism.slider_ids().filter(|slider| mechanism.slider(*slider).on == id) {
-                let (guide, slider) = (given.solution.pose.guide(slider), mechanism.slider(slider));
-                let Some(at) = place(mechanism.point_name(slider.at)) else { continue };
-                let sliding = &mechanism.body(slider.link).points;
-                let names = std::iter::once(&slider.at).chain(sliding).map(|point| mechanism.point_name(*point));
-                let near = 1e-9 * given.size(Sheet::Scheme);
-                let names = names.filter(|name| place(name).is_some_and(|own| cross(guide, own - at).abs() <= near));
-                for name in names {
-                    if !points.contains(&name) {
-                        points.push(name);
-                    }
-                }
-            }
-            for (at, from) in points.iter().enumerate() {
-                for to in &points[at + 1..] {
-                    if let (Some(start), Some(end)) = (place(from), place(to)) {
-                        let (name, words) = (format!("{from},{to}"), format!("{from}{to}").into());
-                        all.push(Reference { name, kind: ThingKind::Link, words, ends: [start, end] });
-                    }
-                }
-            }
-        }
-        let half = 0.12 * given.size(Sheet::Scheme);
-        let loads = given.construction().forces.iter().flat_map(|plan| &plan.loads).zip(&given.load_places);
-        for (load, at) in loads {
-            let name = format!("load({})", LoadOf { source: load.source, body: load.body }.name(mechanism));
-            if let (Some(Ok(along)), Some(at)) = (given.direction(&name), place(at)) {
-                let words = super::says::load(&name);
-                all.push(Reference { name, kind: ThingKind::Guide, words, ends: [at - along * half, at] });
-            }
-        }
-        for id in mechanism.slider_ids() {
-            let name = mechanism.slider_name(id);
-            let at = place(mechanism.point_name(mechanism.slider(id).at));
-            if let (Some(Ok(along)), Some(at)) = (given.direction(&name), at) {
-                let words = super::says::guide(&name);
-                let ends = [at - along * half, at + along * half];
-                all.push(Reference { name, kind: ThingKind::Guide, words, ends });
-            }
-        }
-        all
-    }
-
     pub(super) fn point_label(&self, sheet: Sheet, name: &str, labels: &SheetLabels<'_>) -> String {
         let mechanism = self.judge.given().mechanism();
         match sheet {
@@ -403,90 +321,12 @@ impl Screen {
         let [mm, degrees] = [limit.mm, limit.degrees].map(|limit| self.words.write(FREE * limit, NUMBERS));
         (drawing.snap != Snap::All).then(|| self.words.language.says(&super::says::free_hand(mm, degrees)))
     }
-
-    /// What a hand has drawn on a sheet by the first `until` entries, with what a judge has found.
-    #[must_use]
-    pub fn hand(
-        &self,
-        drawing: &HandDrawing,
-        sheet: Sheet,
-        until: Option<usize>,
-        judged: Option<&JudgedDrawing>,
-    ) -> HandSheet {
-        let mut hand = HandSheet { sheet, lines: Vec::new(), vectors: Vec::new(), points: Vec::new() };
-        let mut shown = drawing.clone();
-        shown.did.truncate(until.unwrap_or(drawing.did.len()));
-        let stands = shown.standing();
-        let mut table = Table::new(self.judge.given(), self.judge.scales(drawing));
-        for (index, entry) in shown.did.iter().enumerate().filter(|(index, _)| stands[*index]) {
-            let Ok(made) = table.carry_out_by_hand(entry) else { break };
-            let look = judged.map_or(HandLook::Drawn, |judged| look(&judged.verdicts[index]));
-            match (&made, entry) {
-                (Made::Place(on, name, at), entry) if *on == sheet => {
-                    if let Entry::LayOff(LayOff { from, .. }) = entry
-                        && let Some(from) = table.place(sheet, from)
-                    {
-                        hand.vectors.push(HandVector { from, to: *at, look });
-                    }
-                    hand.points.push(HandPoint { name: name.clone(), at: *at, look });
-                }
-                (Made::Line(name, line), _) if line.sheet == sheet => {
-                    hand.lines.push(HandLine { name: name.clone(), at: line.at, along: line.along, look });
-                }
-                _ => {}
-            }
-            table.put(made);
-        }
-        hand
-    }
-
-    /// The picture of a sheet; `letters` is their height in millimetres.
-    #[must_use]
-    pub fn picture(
-        &self,
-        drawing: &HandDrawing,
-        sheet: Sheet,
-        until: Option<usize>,
-        letters: f64,
-        judged: Option<&JudgedDrawing>,
-    ) -> Option<Drawing> {
-        let paper = self.paper(sheet, self.judge.scales(drawing))?;
-        let hand = self.hand(drawing, sheet, until, judged);
-        Some(hand_sheet(&self.judge.given().solution, &hand, &paper, letters))
-    }
-
-    /// The plans on sheets of paper, as those of an exercise; `name` stands in their codes.
-    #[must_use]
-    pub fn sheets(&self, drawing: &HandDrawing, judged: Option<&JudgedDrawing>, name: &str) -> Vec<Drawing> {
-        let scales = self.judge.scales(drawing);
-        let plans = Sheet::ALL.into_iter().filter(|sheet| sheet.has_places() && self.shows(*sheet));
-        let hands: Vec<HandSheet> = plans.map(|sheet| self.hand(drawing, sheet, None, judged)).collect();
-        let note = self.free_hand(drawing);
-        hand_sheets(&self.judge.given().solution, &hands, &scales.map(Some), name, note.as_deref())
-    }
 }
 
 /// Whether a quantity is the motion of a place of the ground, which nobody has to find.
 fn is_at_rest(asked: &QuantityRequest, mechanism: &Mechanism) -> bool {
     let What::Motion(_, Spot::Point(body, point, _), None) = &asked.what else { return false };
     [*body, GROUND].iter().all(|fixed| mechanism.body(*fixed).points.contains(point)) || *body == GROUND
-}
-
-fn look(verdict: &Verdict) -> HandLook {
-    match verdict {
-        Verdict::Wrong(_) => HandLook::Wrong,
-        Verdict::Follows => HandLook::Following,
-        Verdict::Right | Verdict::Unused | Verdict::Undone => HandLook::Drawn,
-    }
-}
-
-/// What gives a direction on the scheme.
-pub(super) struct Reference {
-    /// As entries call it.
-    pub name: String,
-    pub kind: ThingKind,
-    pub words: crate::Message,
-    pub ends: [Vector; 2],
 }
 
 /// Where a line enters and leaves its sheet, or goes on beyond where it misses it.

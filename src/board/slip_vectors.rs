@@ -1,11 +1,13 @@
 //! Slips with vectors and images: another start, size or sense, a normal part worked out otherwise, a triangle turned over.
 
 use super::direction::Direction;
-use super::file::{Entry, LayOff, Like};
+use super::entry::{Entry, LayOff, Like};
+use super::names::LENGTH;
 use super::slips::Slip;
 use super::table::Made;
 use crate::check::{Blank, Told, tell};
 use crate::geometry::{Vector, cross, quarter_turn};
+use crate::scene::Head;
 use crate::sheet::Sheet;
 
 impl Slip<'_, '_> {
@@ -42,7 +44,7 @@ impl Slip<'_, '_> {
         let sign = self.table.formula(&laid.size).ok()?.signum() * ratio.signum();
         if self.is_same(ratio, -1.0) {
             let is_normal = sheet == Sheet::Acceleration && matches!(laid.along, Direction::Parallel { .. });
-            let length = laid.size.names().into_iter().find(|name| name.starts_with("L("));
+            let length = laid.size.names().into_iter().find(|name| LENGTH.begins(name));
             return Some(match length {
                 Some(length) if is_normal => {
                     tell::normal_outward(from, to, self.rate_of(&laid.size), Blank::Symbol(length.to_owned()))
@@ -67,14 +69,14 @@ impl Slip<'_, '_> {
         let is_near = |a: Vector, b: Vector| (a - b).norm() <= self.tolerance.max(1e-6) * b.norm();
         let mut sliders = mechanism.slider_ids().filter(|_| sheet == Sheet::Acceleration);
         let part = |id| {
-            let size = given.number(&format!("a_c({})", mechanism.slider_name(id))).unwrap_or(0.0);
+            let size = given.number(&Head::Coriolis.of(&mechanism.slider_name(id))).unwrap_or(0.0);
             quarter_turn(given.solution.pose.guide(id)) * size
         };
         let id = sliders
             .find(|&id| part(id) != Vector::zeros() && (is_near(right, part(id)) || is_near(right, -part(id))))?;
         let slider = mechanism.slider_name(id);
         let link = &mechanism.body(mechanism.slider(id).on).name;
-        let [rate, velocity] = [format!("omega({link})"), format!("v_r({slider})")].map(Blank::Symbol);
+        let [rate, velocity] = [Head::Omega.of(link), Head::SlideVelocity.of(&slider)].map(Blank::Symbol);
         let (along, across) = (quarter_turn(right), -right);
         if is_near(found, along) || is_near(found, -along) {
             return Some(tell::coriolis_along(from, to, rate, velocity));
@@ -91,7 +93,7 @@ impl Slip<'_, '_> {
         if self.is_same(ratio, 0.5) {
             return Some(tell::coriolis_without_two(from, to, rate, velocity));
         }
-        let sliding = given.number(&format!("v_r({slider})"))?.abs();
+        let sliding = given.number(&Head::SlideVelocity.of(&slider))?.abs();
         let other = given.places(Sheet::Velocity).find(|(_, v)| self.is_same(ratio, v.norm() / sliding))?;
         Some(tell::coriolis_velocity(from, to, rate, velocity, other.0.into()))
     }
@@ -107,26 +109,26 @@ impl Slip<'_, '_> {
             points.into_iter().flat_map(move |a| ends.clone().into_iter().map(move |b| (id, a.clone(), b)))
         });
         for (id, [a, at], [b, end]) in pairs.filter(|(_, a, b)| sheet == Sheet::Acceleration && a != b) {
-            let part = given.number(&format!("a_n({a}/{b})")).unwrap_or(0.0);
+            let part = given.number(&Head::Normal.of_two(&a, &b)).unwrap_or(0.0);
             if !self.is_same(part, right) || part == 0.0 {
                 continue;
             }
             let length = (given.place(Sheet::Scheme, &at)? - given.place(Sheet::Scheme, &end)?).norm();
             let link = &mechanism.body(id).name;
-            let [rate, arm] = [format!("omega({link})"), format!("L({at},{end})")].map(Blank::Symbol);
-            let omega = given.number(&format!("omega({link})"))?.abs();
+            let [rate, arm] = [Head::Omega.of(link), Sheet::Scheme.segment_name(&at, &end)].map(Blank::Symbol);
+            let omega = given.number(&Head::Omega.of(link))?.abs();
             if self.is_same(found, omega * length) {
                 return Some(tell::omega_not_squared(from, to, rate, arm));
             }
             let absolute = [&a, &b].into_iter().find(|point| {
-                let velocity = given.number(&format!("v({point})")).unwrap_or(0.0);
+                let velocity = given.number(&Head::Velocity.of(point)).unwrap_or(0.0);
                 self.is_same(found, velocity * velocity / length)
             });
             if let Some(point) = absolute {
-                let image = super::given::image(point);
+                let image = crate::construction::image_name(point);
                 return Some(tell::normal_from_absolute(from, to, rate, arm, image.as_str().into()));
             }
-            let other = mechanism.links().map(|(_, body)| format!("omega({})", body.name)).find(|other| {
+            let other = mechanism.links().map(|(_, body)| Head::Omega.of(&body.name)).find(|other| {
                 let omega = given.number(other).unwrap_or(0.0);
                 self.is_same(found, omega * omega * length)
             });

@@ -1,10 +1,11 @@
 //! Slips within one operation: another number in its formula, a factor, a sign, another point, a misread ruler. Each is undone, and where
 //! the operation is right then, it was that.
 
-use super::file::{Compute, Entry, LayOff, Measure, Solve};
+use super::entry::{Compute, Entry, LayOff, Measure};
 use super::formula::Formula;
 use super::free_hand::FREE;
 use super::given::Given;
+use super::names::LENGTH;
 use super::table::{Made, Table};
 use crate::check::Told;
 use crate::check::tell;
@@ -56,7 +57,7 @@ impl Slip<'_, '_> {
 
     /// A segment that was measured between other points, or read otherwise than it is.
     fn measured(&self, measure: &Measure, (name, found): &(String, f64), right: f64) -> Option<Told> {
-        let (sheet, ends) = super::reads::segment_of(name).or_else(|| {
+        let (sheet, ends) = super::names::segment_of(name).or_else(|| {
             // Two points written together mean what lies between them.
             let sheet = measure.on?;
             let points: Vec<&str> = self.table.given.places(sheet).map(|(point, _)| point).collect();
@@ -126,27 +127,6 @@ impl Slip<'_, '_> {
         })
     }
 
-    /// Equations in which another length or segment stands than should.
-    fn solved(&self, solve: &Solve, right: &[(String, f64)]) -> Option<Told> {
-        let unknown = |name: &str| right.iter().find(|(own, _)| own == name).map(|(_, number)| *number);
-        solve.equations.iter().find_map(|text| {
-            let [left, other] = Formula::sides(text).ok()?;
-            let remains = |exchanged: &str, by: f64| -> Option<f64> {
-                let mut number = |own: &str| match unknown(own) {
-                    _ if own == exchanged => Ok(by),
-                    Some(number) => Ok(number),
-                    None => self.table.number(own),
-                };
-                let [a, b] = [left.value(&mut number).ok()?, other.value(&mut number).ok()?];
-                Some((a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE))
-            };
-            if remains("", 0.0)? <= self.tolerance {
-                return None;
-            }
-            self.exchanged(&[&left, &other], &|own, by| remains(own, by).is_some_and(|rest| rest <= self.tolerance))
-        })
-    }
-
     /// A formula in which one number stands for another: it is exchanged until the formula is right.
     pub(super) fn formula(&self, formula: &Formula, name: &str, right: f64) -> Option<Told> {
         let value = |exchanged: &str, by: f64| {
@@ -159,14 +139,13 @@ impl Slip<'_, '_> {
         let ends = || [self.start_of(name), Blank::from(name)];
         // A length may stand there as a number; in a Coriolis acceleration a velocity stands in its place.
         let names = formula.names();
-        let a_length = names.iter().find(|name| name.starts_with("L("));
+        let a_length = names.iter().find(|name| LENGTH.begins(name));
         let length = || symbol(a_length.copied().unwrap_or("L"));
         let velocity = names.iter().find(|name| !super::bench::turns(name));
         let factor = || symbol(a_length.or(velocity).copied().unwrap_or("L"));
         // Of links that turn together the one whose rate was found is told.
-        let found = self.table.numbers().map(|(name, _)| name.to_owned()).filter(|name| name.starts_with("omega("));
-        let omegas: Vec<String> =
-            found.chain(mechanism.links().map(|(_, body)| format!("omega({})", body.name))).collect();
+        let found = self.table.numbers().map(|(name, _)| name.to_owned()).filter(|name| Head::Omega.begins(name));
+        let omegas: Vec<String> = found.chain(mechanism.links().map(|(_, body)| Head::Omega.of(&body.name))).collect();
         for own in formula.names() {
             let Some(quantity) = QuantityName::parse(own) else { continue };
             let Ok(now) = self.table.number(own) else { continue };
@@ -189,7 +168,7 @@ impl Slip<'_, '_> {
                     let other = segments(self.table, Order::Velocity).into_iter().find(|(_, v)| is_right(own, *v));
                     if other.is_some() {
                         let [from, to] = ends();
-                        let image = super::given::image(&quantity.arguments[0]);
+                        let image = crate::construction::image_name(&quantity.arguments[0]);
                         return Some(tell::normal_from_absolute(
                             from,
                             to,
@@ -205,11 +184,11 @@ impl Slip<'_, '_> {
         let exchanged = self.exchanged(&[formula], &is_right)?;
         // The velocity in a normal part is that of one point relative to the other.
         let pole = formula.names().into_iter().find_map(|own| {
-            let (sheet, ends) = super::reads::segment_of(own).filter(|(sheet, _)| *sheet == Sheet::Velocity)?;
+            let (sheet, ends) = super::names::segment_of(own).filter(|(sheet, _)| *sheet == Sheet::Velocity)?;
             let absolute = ends.iter().position(|end| self.table.given.place(sheet, end) == Some(Vector::zeros()))?;
             Some(ends[1 - absolute].clone())
         });
-        let is_normal = formula.names().iter().any(|name| name.starts_with("L("));
+        let is_normal = formula.names().iter().any(|name| LENGTH.begins(name));
         match pole {
             Some(point) if is_normal && exchanged.mistake == Mistake::WrongSegment && formula.has_power() => {
                 let [from, to] = ends();
@@ -222,41 +201,12 @@ impl Slip<'_, '_> {
     /// The angular velocity of the link whose length stands in a formula.
     pub(super) fn rate_of(&self, formula: &Formula) -> Blank {
         let mechanism = self.table.given.mechanism();
-        let ends = formula.names().into_iter().find_map(super::reads::segment_of).map(|(_, ends)| ends);
+        let ends = formula.names().into_iter().find_map(super::names::segment_of).map(|(_, ends)| ends);
         let link = ends.and_then(|ends| {
             let points = [mechanism.point(&ends[0])?, mechanism.point(&ends[1])?];
             mechanism.links().find(|(_, body)| points.iter().all(|point| body.points.contains(point)))
         });
-        Blank::Symbol(link.map_or_else(|| "ω".to_owned(), |(_, body)| format!("omega({})", body.name)))
-    }
-
-    /// A length or a segment that stands for another, which would be right: one between points that are drawn before others.
-    pub(super) fn exchanged(&self, formulas: &[&Formula], is_right: &dyn Fn(&str, f64) -> bool) -> Option<Told> {
-        let is_drawn = |name: &str| {
-            super::reads::segment_of(name)
-                .is_some_and(|(sheet, ends)| ends.iter().all(|end| self.table.place(sheet, end).is_some()))
-        };
-        let drawn = self.exchanged_for(formulas, is_right, &is_drawn);
-        drawn.or_else(|| self.exchanged_for(formulas, is_right, &|_| true))
-    }
-
-    fn exchanged_for(
-        &self,
-        formulas: &[&Formula],
-        is_right: &dyn Fn(&str, f64) -> bool,
-        is_meant: &dyn Fn(&str) -> bool,
-    ) -> Option<Told> {
-        formulas.iter().flat_map(|formula| formula.names()).find_map(|own| {
-            let (sheet, ends) = super::reads::segment_of(own).or_else(|| self.measured.get(own).cloned())?;
-            let all = match sheet.order() {
-                None if sheet == Sheet::Centers => super::centers::distances(self.table),
-                None => lengths(self.table),
-                Some(order) => segments(self.table, order),
-            };
-            let (other, _) = all.into_iter().find(|(other, length)| is_meant(other) && is_right(own, *length))?;
-            let [from, to] = &ends;
-            Some(between_others(self.table.given, sheet, &other, [from, to]))
-        })
+        Blank::Symbol(link.map_or_else(|| "ω".to_owned(), |(_, body)| Head::Omega.of(&body.name)))
     }
 
     /// A factor that should not be there.
@@ -274,7 +224,7 @@ impl Slip<'_, '_> {
             [(2.0, tell::diameter_throughout as fn(Blank) -> Told), (0.5, tell::half_the_radius as fn(Blank) -> Told)]
         {
             if self.is_same(ratio, factor) && self.is_of_crank(name, right) {
-                let length = names.iter().find(|name| name.starts_with("L("));
+                let length = names.iter().find(|name| LENGTH.begins(name));
                 let length = length.map_or_else(|| self.crank_length(), |length| Some((*length).to_owned()));
                 return Some(tell(Blank::Symbol(length?)));
             }
@@ -285,13 +235,13 @@ impl Slip<'_, '_> {
     /// A normal part of a link that is not driven, with the diameter in place of the radius.
     pub(super) fn diameter(&self, formula: &Formula, name: &str, ratio: f64) -> Option<Told> {
         let names = formula.names();
-        let rate = names.iter().find(|name| name.starts_with("omega("))?;
-        let length = names.iter().find(|name| name.starts_with("L("))?;
+        let rate = names.iter().find(|name| Head::Omega.begins(name))?;
+        let length = names.iter().find(|name| LENGTH.begins(name))?;
         let is_squared = formula.has_power() || names.iter().filter(|name| *name == rate).count() == 2;
         let is_driven = || {
             let mechanism = self.table.given.mechanism();
             let mut driven = mechanism.links().filter(|(id, _)| mechanism.is_known(*id));
-            driven.any(|(_, body)| format!("omega({})", body.name) == **rate)
+            driven.any(|(_, body)| Head::Omega.of(&body.name) == **rate)
         };
         let is_twice = formula.has_numbers() && (ratio.abs() - 2.0).abs() <= 1e-6;
         (is_squared && is_twice && !is_driven()).then(|| {
@@ -304,14 +254,14 @@ impl Slip<'_, '_> {
     fn first_rate(&self) -> String {
         let mechanism = self.table.given.mechanism();
         let mut known = mechanism.links().filter(|(id, _)| mechanism.is_known(*id));
-        known.next().map_or_else(String::new, |(_, body)| format!("omega({})", body.name))
+        known.next().map_or_else(String::new, |(_, body)| Head::Omega.of(&body.name))
     }
 
     fn crank_length(&self) -> Option<String> {
         let mechanism = self.table.given.mechanism();
         let (_, body) = mechanism.links().find(|(id, body)| mechanism.is_known(*id) && body.points.len() > 1)?;
         let [from, to] = [body.points[0], body.points[1]].map(|point| mechanism.point_name(point));
-        Some(format!("L({from},{to})"))
+        Some(Sheet::Scheme.segment_name(from, to))
     }
 
     /// Whether a vector or a size is one of a driven link.
@@ -325,11 +275,11 @@ impl Slip<'_, '_> {
         });
         pairs.any(|[a, b]| {
             let names = match a == b {
-                true => vec![format!("v({a})"), format!("a({a})")],
-                false => vec![format!("a_n({a}/{b})"), format!("a_t({a}/{b})")],
+                true => [Head::Velocity, Head::Acceleration].map(|head| head.of(a)),
+                false => [Head::Normal, Head::Tangential].map(|head| head.of_two(a, b)),
             };
             let sizes = names.iter().filter_map(|name| self.table.given.number(name));
-            sizes.into_iter().any(|size| self.is_same(size, right.abs())) || super::given::image(a) == name
+            sizes.into_iter().any(|size| self.is_same(size, right.abs())) || crate::construction::image_name(a) == name
         })
     }
 
@@ -395,7 +345,7 @@ fn rounded(x: f64) -> f64 {
 }
 
 /// The segments of a plan, by their names.
-fn segments(table: &Table<'_>, order: Order) -> Vec<(String, f64)> {
+pub(super) fn segments(table: &Table<'_>, order: Order) -> Vec<(String, f64)> {
     let sheet = order.sheet();
     let places: Vec<(&str, Vector)> = table.given.places(sheet).collect();
     let mut all = Vec::new();
@@ -414,11 +364,12 @@ fn segments(table: &Table<'_>, order: Order) -> Vec<(String, f64)> {
 }
 
 /// The lengths between points of the scheme, those of the hand's own among them, by their names.
-fn lengths(table: &Table<'_>) -> Vec<(String, f64)> {
+pub(super) fn lengths(table: &Table<'_>) -> Vec<(String, f64)> {
     let places: Vec<(&str, Vector)> = table.places(Sheet::Scheme).collect();
     let mut all = Vec::new();
     for (at, (from, start)) in places.iter().enumerate() {
-        let others = places[at + 1..].iter().map(|(to, end)| (format!("L({from},{to})"), (end - start).norm()));
+        let others =
+            places[at + 1..].iter().map(|(to, end)| (Sheet::Scheme.segment_name(from, to), (end - start).norm()));
         all.extend(others.filter(|(_, length)| *length > 0.0));
     }
     all

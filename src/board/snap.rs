@@ -1,69 +1,14 @@
 //! What a press on a sheet may mean for the entry that is being written: points, crossings, directions near it, the nearest first.
 
-use super::file::{Entry, HandDrawing, Snap};
+use super::entry::Entry;
+use super::file::{HandDrawing, Snap};
 use super::screen::{Screen, across, path};
+use super::shown::{Ghost, GhostKind, Pressed, Snapped};
 use super::table::{DrawnLine, Made, Table};
 use crate::drawing::HandPaper;
 use crate::geometry::{Vector, cross};
 use crate::sheet::Sheet;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json, json};
-
-/// A press on a sheet.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-pub struct Pressed {
-    /// The entry that is being written, with what is missing left out or empty.
-    #[schemars(with = "Json")]
-    pub has: Map<String, Json>,
-    /// On which sheet.
-    pub sheet: Sheet,
-    /// Where, in mm from the upper left corner, y down.
-    pub at: [f64; 2],
-    /// How far around, in mm.
-    pub reach: f64,
-}
-
-/// What a press may mean.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Snapped {
-    /// The entry with what the press adds.
-    #[schemars(with = "Json")]
-    pub entry: Map<String, Json>,
-    /// Whether no more than a name may be missing.
-    pub is_whole: bool,
-    /// What is caught, in words.
-    pub words: String,
-    /// Where.
-    pub at: [f64; 2],
-    /// What would be drawn.
-    pub ghost: Vec<Ghost>,
-    /// The direction that it gives, in degrees from +x; none of what gives none.
-    pub direction: Option<f64>,
-}
-
-/// Something that is not drawn yet.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Ghost {
-    /// What it is.
-    pub kind: GhostKind,
-    /// Its outline, as the path of an SVG in mm.
-    pub path: String,
-}
-
-/// What is not drawn yet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum GhostKind {
-    /// A line.
-    Line,
-    /// The set square on what gives its direction.
-    Square,
-    /// A vector.
-    Arrow,
-    /// A point.
-    Point,
-}
 
 /// Most meanings of a press that are told.
 const MOST: usize = 24;

@@ -1,9 +1,10 @@
 //! What entries and verdicts say, in a language; and the result as JSON.
 
 use super::direction::Direction;
-use super::file::{Compute, Cross, Entry, HandDrawing, Join, LayOff, Like, Line, Mark, Measure, Solve, Undo};
+use super::entry::{Compute, Cross, Entry, Join, LayOff, Like, Line, Mark, Measure, Solve, Undo};
+use super::file::HandDrawing;
 use super::judge::{Judge, JudgedDrawing, Verdict, Wrong};
-use super::reads::two_points;
+use super::names::two_points;
 use super::says;
 use crate::message::Message;
 use crate::words::{Medium, Wording};

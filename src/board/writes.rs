@@ -4,13 +4,13 @@ use super::bench::is_size_of_force;
 use super::given::Given;
 use super::polygons::pitch_name;
 use crate::construction::{
-    Along, Construction, LineId, LoadShown, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole,
-    PlaceId, Product, Reference,
+    Along, Construction, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, OperationRole, PlaceId,
+    Product, Reference,
 };
 use crate::forces::Source;
 use crate::geometry::{Vector, unit};
 use crate::mechanism::Mechanism;
-use crate::quantity::LoadOf;
+use crate::scene::Head;
 use crate::sheet::{PerSheet, Scales, Sheet};
 use indexmap::{IndexMap, IndexSet};
 use serde_json::{Map, Value as Json, json};
@@ -237,12 +237,7 @@ impl<'g> Writer<'g> {
         let plan = self.construction.forces.as_deref()?;
         let is_it = |force: &Vector| unit(*force).is_some_and(|along| (along - direction).norm() <= 1e-12);
         let load = plan.loads.iter().find(|load| is_it(&load.force))?;
-        Some(self.load_name(load))
-    }
-
-    /// The name of a load's force.
-    fn load_name(&self, load: &LoadShown) -> String {
-        format!("load({})", LoadOf { source: load.source, body: load.body }.name(self.mechanism))
+        Some(load.name(self.mechanism))
     }
 
     /// How a load's size, or the couple of a link's inertia, is written; a couple that somebody has stated is its number.
@@ -251,10 +246,10 @@ impl<'g> Writer<'g> {
         let index = plan.numbers.loads.iter().position(|own| own.contains(&Some(number)))?;
         let load = plan.loads.get(index)?;
         if plan.numbers.loads[index][0] == Some(number) {
-            return Some(self.load_name(load));
+            return Some(load.name(self.mechanism));
         }
         let is_inertia = load.source == Source::Inertia;
-        is_inertia.then(|| format!("M_i({})", self.mechanism.body(load.body).name))
+        is_inertia.then(|| Head::InertiaCouple.of(&self.mechanism.body(load.body).name))
     }
 
     /// A name for a number that has none, as an arm or the force between teeth.

@@ -4,7 +4,7 @@
 use super::on_paper::PaperPoints;
 use super::says;
 use crate::construction::{Solution, Tolerance};
-use crate::geometry::Vector;
+use crate::geometry::{Vector, complex_product};
 use crate::message::Message;
 use crate::sheet::{Scales, Sheet};
 use crate::text::Untrusted;
@@ -188,7 +188,7 @@ impl PointsOf {
             let Some(z) = points.right(name) else { continue };
             let w = Vector::from(place.at) - pole;
             turned += Vector::new(z.dot(&w), z.x * w.y - z.y * w.x);
-            mirrored += Vector::new(z.x * w.x - z.y * w.y, z.x * w.y + z.y * w.x);
+            mirrored += complex_product(z, w);
             right += z.norm_squared();
             written += w.norm_squared();
         }

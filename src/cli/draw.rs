@@ -1,22 +1,21 @@
 use super::centers::{CenterOptions, PoleOptions, check_figure};
 use super::cycle::{refuse_nothing, split_names};
-#[cfg(feature = "png")]
-use super::figures::INCH;
-use super::figures::{Figures, GivenStyle, Made, OfScene, Sheets, stem};
+use super::figures::{Figures, Made, OfScene, Sheets, stem};
 use super::files;
 use super::film::FilmOptions;
 use super::message::{Failure, Source, note, refuse, warn};
 use super::options::{Look, Markers, one_of};
 use super::output::FileSet;
 use super::solve::{Mode, show_warnings, solve};
+use super::style::GivenStyle;
 use crate::construction::{NumberedStep, Solution};
 use crate::cycle::Traces;
 use crate::drawing::{Drawing, FigureSheets, Steps};
 use crate::editing::{with_figure, with_mode};
 use crate::format::{OpenScene, workbench};
-use crate::order_of_figure;
 use crate::scene::{Figure, LengthUnit, Scene, SizeLimit, StyleName, ValuesShown};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
+use crate::{order_of_figure, order_of_result};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -99,11 +98,11 @@ pub(super) struct Draw {
     positions: Option<String>,
     /// Write the sheets of steps, a film's pictures, points or pixels even if they are very many.
     #[arg(long)]
-    yes: bool,
+    pub(super) yes: bool,
     #[command(flatten)]
     film: FilmOptions,
     #[command(flatten)]
-    figures: Figures,
+    pub(super) figures: Figures,
     #[command(flatten)]
     look: Look,
     #[command(flatten)]
@@ -342,9 +341,21 @@ impl Draw {
         style.put_on([&mut all]);
         let count = all.steps.len();
         let digits = count.to_string().len().max(2);
+        let scene = &solution.scene;
+        // `steps` counts on through the plan of accelerations, for which the figure may have no panel.
+        let has_more = order_of_figure(scene) == Order::Velocity && order_of_result(scene) == Order::Acceleration;
         if let Some(step) = wanted.filter(|step| !(1..=count).contains(step)) {
-            let hint = format!("the construction has steps 1 to {count}; `kinegon steps` lists them");
+            let listed = match has_more {
+                true => " in the figure's panels; `kinegon steps` also lists those of the acceleration plan",
+                false => "; `kinegon steps` lists them",
+            };
+            let hint = format!("the construction has steps 1 to {count}{listed}");
             return refuse(format!("there is no step {step}"), hint);
+        }
+        if has_more && wanted.is_none() {
+            note(
+                "the figure has no panel for the acceleration plan: no sheets for its steps, which `kinegon steps` lists",
+            );
         }
         let shown = shown_steps(solution, steps);
         let is_shown = |step: &usize| wanted.map_or(shown.get(step - 1) == Some(&true), |wanted| *step == wanted);
@@ -356,50 +367,6 @@ impl Draw {
         let sheet = |step: usize| (format!("{name}-{step:0digits$}"), Made::After(all.clone(), step));
         Ok(shown.into_iter().map(sheet).collect())
     }
-
-    /// Refuses to write very many sheets, before the first is drawn.
-    fn refuse_many(&self, all: &Drawing, shown: &[usize], steps: Option<Steps>) -> Result<(), Failure> {
-        let marks: usize = shown.iter().map(|step| all.marks_after_step(*step)).sum();
-        let has_png = self.figures.has_png();
-        if shown.len() <= MOST_SHEETS && marks <= if has_png { MOST_PAINTED } else { MOST_MARKS } {
-            return Ok(());
-        }
-        let coarse = if steps == Some(Steps::Coarse) { "" } else { "--steps coarse joins them to fewer sheets; " };
-        let png = if has_png { ", as PNG, too" } else { "" };
-        refuse(
-            format!("the steps make {} sheets with {marks} marks in all{png}", shown.len()),
-            format!("{coarse}--upto N draws one of them, --layered all in one file; with --yes they are written"),
-        )
-    }
-
-    /// Refuses a figure with very many points, before it is drawn.
-    fn refuse_crowded(&self, points: usize) -> Result<(), Failure> {
-        let has_png = self.figures.has_png();
-        if self.yes || points <= if has_png { MOST_PAINTED_POINTS } else { MOST_POINTS } {
-            return Ok(());
-        }
-        let without = if has_png { "SVG or PDF take less; " } else { "" };
-        let as_png = if has_png { ", also as PNG," } else { "" };
-        refuse(
-            format!("a figure with {points} points{as_png} takes more than 2 s and 200 MB of memory"),
-            format!("draw fewer points, few of which have room for their names; {without}with --yes it is drawn"),
-        )
-    }
-
-    /// Refuses a picture of very many pixels, before it is drawn.
-    #[cfg(feature = "png")]
-    fn refuse_large(&self, figure: &Figure) -> Result<(), Failure> {
-        let [width, height] = figure.page.size_mm();
-        let dots = self.figures.options.dpi_of(width) / INCH;
-        let megapixels = width * height * dots * dots / 1e6;
-        if self.yes || !self.figures.has_png() || megapixels <= MOST_MEGAPIXELS {
-            return Ok(());
-        }
-        refuse(
-            format!("a picture of {megapixels:.0} million pixels takes {:.0} MB of memory", BYTES * megapixels),
-            "take fewer dots per inch (--dpi, --width), or SVG or PDF, which have no pixels; with --yes it is written",
-        )
-    }
 }
 
 /// Reads the unit of length of values: `own` is the scene's, `none` shows no values.
@@ -410,21 +377,6 @@ fn values() -> impl TypedValueParser<Value = ValuesShown> {
         unit => ValuesShown::Shown(LengthUnit::ALL.into_iter().find(|known| known.as_str() == unit)),
     })
 }
-
-/// Most sheets of steps, and most marks on all of them, that are written without asking: each takes milliseconds, and marks
-/// grow with the square of the steps.
-const MOST_SHEETS: usize = 400;
-/// Most points of a figure that is drawn without being asked about; and of one that is painted, too.
-const MOST_POINTS: usize = 6_500;
-const MOST_PAINTED_POINTS: usize = 4_000;
-const MOST_MARKS: usize = 400_000;
-/// As many where they are painted in pixels, which takes several times as long.
-const MOST_PAINTED: usize = 80_000;
-/// Most million pixels of a picture that is written without asking, and about how many bytes each takes.
-#[cfg(feature = "png")]
-const MOST_MEGAPIXELS: f64 = 25.0;
-#[cfg(feature = "png")]
-const BYTES: f64 = 7.0;
 
 /// Says why a sheet to be drawn on has no markers, unless that was asked for.
 fn note_markers(figure: &Figure, sheet: Option<&Drawing>) {

@@ -1,10 +1,11 @@
 use super::check::arms;
-use super::figures::{GivenStyle, stem, style_names};
+use super::figures::{stem, style_names};
 use super::files;
 use super::message::{Failure, Source, note, refuse};
 use super::options::{Look, Markers, NamesAnd};
 use super::output::{FileSet, is_stream};
 use super::solve::solve;
+use super::style::GivenStyle;
 use crate::board::{Given, own_drawing};
 use crate::course::{Question, canvas, moodle, scorm};
 use crate::exercise::{Exercise, Exercises};

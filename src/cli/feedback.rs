@@ -1,9 +1,10 @@
 //! What students get back: a page each, and the drawing over the right one.
 
-use super::figures::{FigureOptions, Figures, GivenStyle, Made, Sheets, stem};
+use super::figures::{FigureOptions, Figures, Made, Sheets, stem};
 use super::message::{Failure, refuse, warn};
 use super::options::{GivenScales, Paper, scale_option};
 use super::output::FileSet;
+use super::style::GivenStyle;
 use crate::check::{self, AnswerKey, Checked, Feedback, Measured};
 use crate::drawing::{FigureSheets, overlay};
 use crate::format::FEEDBACK_MARK;

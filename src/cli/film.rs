@@ -1,9 +1,10 @@
 //! Films of `kinegon draw`.
 
 #[cfg(feature = "png")]
-use super::figures::{GivenStyle, INCH};
+use super::figures::INCH;
 #[cfg(feature = "png")]
 use super::message::{Failure, Source, note, refuse, warn};
+use super::style::GivenStyle;
 use crate::drawing::Timing;
 use clap::Args;
 #[cfg(feature = "png")]

@@ -21,6 +21,7 @@ mod film;
 pub mod forms;
 #[doc(hidden)] // for tests
 pub mod help;
+mod large;
 #[doc(hidden)] // for tests
 pub mod message;
 mod options;
@@ -34,6 +35,7 @@ mod photo_class;
 pub mod pieces;
 mod solve;
 mod study;
+mod style;
 mod table;
 mod tables;
 

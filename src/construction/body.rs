@@ -1,10 +1,12 @@
 //! Velocity and acceleration of a body's point, laid off in a plan: from the pole where the scene gives the vector,
 //! else from a point of known motion.
 
+use super::arrow::{Arrow, VectorOf, VectorPart};
 use super::name::{coriolis_name, point_on, slide_name};
 use super::number::{NumberId, NumberKind, Product, ProductKind, Rate};
 use super::operation::{Along, PlaceId};
-use super::step::{Action, Arrow, PointRole, VectorOf, VectorPart};
+use super::plan::PointRole;
+use super::step::Action;
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
 use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, JointId, PointId, Role};

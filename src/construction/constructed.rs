@@ -1,13 +1,15 @@
+use super::arrow::{Arrow, Ray, VectorOf};
 use super::cut::{Special, SpecialId};
 use super::kennedy::{Center, CenterId, Centers};
 use super::lever::Lever;
 use super::name::image_name;
 use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{Along, LineId, Operation, PlaceId, StepId};
+use super::plan::Plan;
 use super::polygon::ForcePlan;
 use super::run::{Disturbance, Values};
 use super::speeds::SpeedDiagram;
-use super::step::{Action, Arrow, NumberedStep, Plan, Ray, VectorOf};
+use super::step::{Action, NumberedStep};
 use super::train::pitch_points;
 use crate::geometry::{Ball, Point};
 use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};

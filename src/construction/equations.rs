@@ -1,10 +1,11 @@
 //! Equations of legs: the vector equation behind a ray, the normal part, and the rates in a measured segment.
 
+use super::arrow::{Ray, RayOf, Relation, VectorPart};
 use super::cut::{CutLine, Special, Term};
 use super::markup::{Formula, Known, marked, measured, subscript};
 use super::name::{image_name, point_on};
 use super::sentence::Teller;
-use super::step::{LegEquation, RateEquation, Ray, RayOf, Relation, VectorPart, WheelEquation};
+use super::step::{LegEquation, RateEquation, WheelEquation};
 use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, GROUND, JointId, PointId};
 use crate::sheet::{Order, Sheet};

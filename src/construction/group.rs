@@ -1,13 +1,15 @@
 //! Construction of a group: special points, rays and their crossings, measured segments, and the rates that are solved
 //! for, or taken from the computed motion, and compared with it.
 
+use super::arrow::{Arrow, Ray, RayOf, Relation, VectorOf};
 use super::constructed::Agreement;
 use super::cut::{CutLine, Special, SpecialId};
 use super::leg::{DrawnSpecial, LegLines};
 use super::name::{image_name, point_on};
 use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{LineId, MeasuredAs, OperationRole, PlaceId};
-use super::step::{Action, Arrow, LegEquation, PointRole, RateEquation, Ray, RayOf, Relation, VectorOf};
+use super::plan::PointRole;
+use super::step::{Action, LegEquation, RateEquation};
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, JointId, LoopEquations, PointId, Role, SliderId};

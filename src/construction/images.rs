@@ -2,9 +2,11 @@
 //! turned and scaled; Mehmke 1883, Burmester 1888) from two images of the link, else by the motion relative to one. Of a
 //! group the images of its joints come first, once its rates are known.
 
+use super::arrow::{Arrow, Ray, RayOf, Relation, VectorOf, VectorPart};
 use super::name::{coincident_name, coriolis_name, image_name, normal_name, point_on, slide_name};
 use super::operation::{Along, OperationRole, PlaceId};
-use super::step::{Action, Arrow, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
+use super::plan::PointRole;
+use super::step::Action;
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, cross};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, Leg, Mechanism, PointId, SliderId};

@@ -1,10 +1,12 @@
 //! The legs of a special point: cut lines, equations of the segments measured along the rays (Eqs. 7, 8, 15, 16 and 35
 //! to 38 of Quintero et al., 2011), normal parts and Coriolis accelerations.
 
+use super::arrow::{Arrow, VectorOf, VectorPart};
 use super::cut::{Course, CutLine, Special, SpecialId, Term};
 use super::number::{Equation, NumberId, Product, ProductKind};
 use super::operation::{Along, LineId, OperationRole, PlaceId};
-use super::step::{Action, Arrow, PointRole, VectorOf, VectorPart};
+use super::plan::PointRole;
+use super::step::Action;
 use super::writer::Writer;
 use crate::geometry::quarter_turn;
 use crate::mechanism::{AngularRate, AngularTerms, LoopEquations, PointId};

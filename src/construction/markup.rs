@@ -1,7 +1,8 @@
 //! Markup of captions and equations: names of points stand between backticks; `_{…}` is low, `^{…}` high. Vector
 //! equations term by term.
 
-use super::step::{Plan, VectorPart};
+use super::arrow::VectorPart;
+use super::plan::Plan;
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use crate::words::Wording;

@@ -6,9 +6,9 @@
 //! construct nothing again. A [`Solution`] holds all results of a scene.
 //!
 //! In reading order: `cut` (cut lines and special points); `operation` and `number` (what a hand and a calculator do),
-//! carried out by `run`; `writer`, which writes them down in the [`Construction`]; what is drawn: `body`,
+//! carried out by `run`; `writer`, which writes them down in the [`Construction`], and `scheme`, what it takes from the mechanism; what is drawn: `plan` and `arrow`, `body`,
 //! `leg`, `group`, `train` (wheels), `images`; `solution`, which goes through all groups; `kennedy`, instant centres on a sheet of their own; `polygon`, the force plan; `lever`, Zhukovsky's lever; `speeds`, Kutzbach's diagram of a train. `enclosed` carries all out on the true
-//! position and motion; `step`, `markup`, `sentence`, `equations` and `passage` are for captions; `turned` shows the velocity plan turned.
+//! position and motion; `step`, `markup`, `sentence`, `vectors`, `equations` and `passage` are for captions; `turned` shows the velocity plan turned.
 //!
 //! To add something that a hand does: an [`OperationKind`] with its errors, and how it is carried out in `run`. To add
 //! a construction: a method of `Writer` that begins a step, writes operations and finishes the step with what it has
@@ -43,6 +43,7 @@
 //! takes its rates from the motion and continues alike, from the known links on. An image's bounds are those of the
 //! rotation about a point of its link, so that they do not grow from crossing to crossing.
 
+mod arrow;
 mod body;
 mod constructed;
 mod contact;
@@ -60,16 +61,20 @@ mod name;
 mod number;
 mod operation;
 mod passage;
+mod plan;
 mod polygon;
 mod run;
+mod scheme;
 mod sentence;
 mod solution;
 mod speeds;
 mod step;
 mod train;
 mod turned;
+mod vectors;
 mod writer;
 
+pub use arrow::{Arrow, Ray, RayOf, Relation, VectorOf, VectorPart};
 pub use constructed::{Agreement, Construction, Extent};
 pub use contact::contacts_told;
 pub use cut::{Course, CutLine, Special, SpecialId, Term};
@@ -88,19 +93,18 @@ pub use operation::{
     StepId,
 };
 pub use passage::{Aim, Passage};
+pub use plan::{NOTHING, Plan, PlanPoint, PointRole};
 pub(crate) use polygon::{ComingRound, FoundForce, FoundNumbers, Rubbed, pressing_off};
 pub use polygon::{
     Corner, ForceArm, ForceOf, ForcePart, ForcePlan, ForceStep, Found, LoadShown, Moment, MomentPoint, Polygon, Side,
     SideKind,
 };
 pub use run::{Change, Disturbance, Tolerance, Values};
-pub use sentence::{PlanVector, Teller};
+pub use sentence::Teller;
 pub(crate) use solution::asked_construction;
 pub(crate) use solution::force_polygons;
 pub use solution::{Solution, construct};
 pub use speeds::{BeltLine, PitchCircle, PitchLine, SpeedDiagram, SpeedLine, SpeedSpot, SpeedStep, SpotName};
-pub use step::{
-    Action, Arrow, LegEquation, NOTHING, NumberedStep, Plan, PlanPoint, PointRole, RateEquation, Ray, RayOf, Relation,
-    VectorOf, VectorPart, WheelEquation,
-};
+pub use step::{Action, LegEquation, NumberedStep, RateEquation, WheelEquation};
+pub use vectors::PlanVector;
 pub(crate) use writer::Writer;

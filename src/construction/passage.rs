@@ -1,14 +1,16 @@
 //! Steps that a lecturer shows together: each passage reaches one aim of the construction.
 
+use super::arrow::{Arrow, Ray, RayOf, Relation, VectorOf};
 use super::constructed::Construction;
 use super::kennedy::CurvatureStep;
 use super::lever::LeverStep;
 use super::markup::marked;
 use super::operation::StepId;
+use super::plan::PointRole;
 use super::polygon::ForceStep;
 use super::sentence::Teller;
 use super::speeds::SpeedStep;
-use super::step::{Action, Arrow, NumberedStep, PointRole, Ray, RayOf, Relation, VectorOf};
+use super::step::{Action, NumberedStep};
 use crate::sheet::Sheet;
 use crate::words::Language;
 

@@ -5,10 +5,12 @@
 //! and that of every point between lie on the velocity line. What no two points lead to, and all accelerations, follow from the equations
 //! z₁ ω₁ + z₂ ω₂ = (z₁ + z₂) ω_carrier (Willis, 1841): at a pitch point only the tangential parts of accelerations are equal.
 
+use super::arrow::{Arrow, VectorOf, VectorPart};
 use super::name::{image_name, point_on};
 use super::number::{End, Equation, NumberId, NumberKind, Product, ProductKind, Rate};
 use super::operation::{Along, MeasuredAs, OperationRole, PlaceId};
-use super::step::{Action, Arrow, PointRole, RateEquation, VectorOf, VectorPart, WheelEquation};
+use super::plan::PointRole;
+use super::step::{Action, RateEquation, WheelEquation};
 use super::writer::Writer;
 use crate::mechanism::{BodyId, GROUND, Group, Joint, JointId, LoopEquations, Mechanism, PointId};
 use crate::sheet::{Order, Sheet};

@@ -1,8 +1,9 @@
 //! The velocity plan turned by 90°, as some schools draw it: images of links then lie as the links do, and rays are parallel to what they
 //! are normal to otherwise. It is turned here alone, as it is shown; the operations and all values stay what they are.
 
+use super::arrow::Relation;
 use super::constructed::Construction;
-use super::step::{Action, Relation};
+use super::step::Action;
 use crate::geometry::{Vector, quarter_turn};
 use crate::scene::TurnedName;
 use crate::sheet::{Order, Sheet};

@@ -28,6 +28,7 @@ mod dwell;
 mod event;
 mod kept;
 mod known;
+mod leap;
 mod locus;
 mod mover;
 mod path;

@@ -1,4 +1,5 @@
-use super::result::{CenterResult, QuantityResult, ResultFile};
+use super::centers::CenterResult;
+use super::result::{QuantityResult, ResultFile};
 use crate::construction::Solution;
 use crate::geometry::{UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::quantity::{QuantityKind, QuantityRequest};

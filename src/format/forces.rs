@@ -5,7 +5,6 @@ use crate::construction::Solution;
 use crate::forces::{Forces, Source, rubbed_joints};
 use crate::geometry::{Ball, Pair};
 use crate::mechanism::{BodyId, JointId, PointId};
-use crate::quantity::LoadOf;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -257,9 +256,7 @@ fn drives(solution: &Solution, forces: &Forces, bounds: &Bounds<'_>) -> IndexMap
             force: drive.slider.map(|_| effort),
             error: bounds.of_force(effort, |f, _| f.drives.get(index).map(|drive| drive.effort)),
             powers: powers
-                .map(|(load, power)| {
-                    (LoadOf { source: load.source, body: load.body }.name(&solution.mechanism), power.high)
-                })
+                .map(|(load, power)| (load.source.name(&solution.mechanism, load.body), power.high))
                 .collect(),
         };
         (name, result)

@@ -2,6 +2,7 @@
 //! Out: the bytes of a file in a format that people or other programs read.
 //! Nothing is decided or computed here; the same input gives the same bytes everywhere.
 
+mod centers;
 #[cfg(feature = "arrow")]
 mod columns;
 mod contacts;
@@ -16,8 +17,10 @@ mod json;
 pub mod number;
 #[cfg(feature = "pdf")]
 mod pdf;
+mod pencil;
 #[cfg(feature = "png")]
 mod png;
+mod points;
 mod result;
 mod steps;
 mod structure;
@@ -27,6 +30,7 @@ mod tikz;
 #[cfg(feature = "html")]
 mod workbench;
 
+pub use self::centers::CenterResult;
 #[cfg(feature = "arrow")]
 pub use self::columns::{ColumnFormat, Columns};
 pub use self::contacts::ContactResult;
@@ -41,12 +45,11 @@ pub use self::forces::{DriveResult, ForceResult, ForcesResult, FrameResult, Guid
 pub use self::json::{json, json_line};
 #[cfg(feature = "pdf")]
 pub use self::pdf::{PdfError, pdf_pages};
+pub use self::pencil::{BandResult, PencilResult, pencil_result};
 #[cfg(feature = "png")]
 pub use self::png::PngError;
-pub use self::result::{
-    BandResult, CenterResult, GroupResult, LinkResult, PencilResult, PointResult, QuantityResult, ResultFile,
-    ResultUnits, SliderResult, pencil_result, result_schema,
-};
+pub use self::points::PointResult;
+pub use self::result::{GroupResult, LinkResult, QuantityResult, ResultFile, ResultUnits, SliderResult, result_schema};
 pub use self::steps::step_values;
 pub use self::structure::{listed_modes, mode, structure};
 pub use self::svg::{Text, layered_svg, panels_svg, svg_with};

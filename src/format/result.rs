@@ -1,21 +1,22 @@
+use super::centers::CenterResult;
 use super::contacts::ContactResult;
 use super::forces::ForcesResult;
+use super::pencil::PencilResult;
+use super::points::{PointResult, points};
 use crate::accuracy::says::{pulls, unbounded};
 use crate::accuracy::{Bounds, bounds};
-use crate::centers::Center;
-use crate::construction::{Solution, coincident_name};
+use crate::construction::Solution;
 use crate::cycle::{told_engagement, told_turning_back};
 use crate::drawing::FigureSheets;
-use crate::geometry::{Place, Point, degrees_of};
-use crate::mechanism::{BodyId, PointId, Role};
-use crate::quantity::{Band, Head, Pencil, Quantity, QuantityRequest, Unread, measured_names};
+use crate::geometry::degrees_of;
+use crate::mechanism::{BodyId, Role};
+use crate::quantity::{Quantity, QuantityRequest, measured_names};
 use crate::scene::{ForceUnit, MassUnit, SceneError, Units};
-use crate::sheet::{Order, Scales};
+use crate::sheet::Order;
 use crate::words::{Medium, Wording};
 use indexmap::IndexMap;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use schemars::JsonSchema;
 use serde::Serialize;
-use serde_json::json;
 
 /// The result of `kinegon solve`: every number at full precision, in the scene's units.
 ///
@@ -119,36 +120,6 @@ pub struct LinkResult {
     pub alpha_error_at_position: Option<f64>,
 }
 
-/// The motion of a point.
-#[derive(Debug, Default, Serialize, JsonSchema)]
-#[non_exhaustive]
-pub struct PointResult {
-    /// Where it is.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub position: Option<[f64; 2]>,
-    /// Bound on the error of both coordinates.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub position_error: Option<f64>,
-    /// The direction in which it lies at infinity, in place of a position.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub at_infinity: Option<[f64; 2]>,
-    /// Its velocity.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub velocity: Option<[f64; 2]>,
-    /// Bound on the error of both components of `velocity`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub velocity_error: Option<f64>,
-    /// Its acceleration.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub acceleration: Option<[f64; 2]>,
-    /// Bound on the error of both components of `acceleration`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub acceleration_error: Option<f64>,
-    /// The link of which it is a point, where its name does not say so.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub on: Option<String>,
-}
-
 /// The motion of a slider along its guide, seen from the body that carries the guide.
 #[derive(Debug, Serialize, JsonSchema)]
 #[non_exhaustive]
@@ -230,95 +201,6 @@ pub enum QuantityResult {
     Number(f64),
     /// Components along x and y.
     Vector([f64; 2]),
-}
-
-/// An instant centre: its place, or the direction in which it lies at infinity.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[serde(untagged)]
-#[non_exhaustive]
-pub enum CenterResult {
-    /// At a place.
-    At {
-        /// Its coordinates.
-        position: [f64; 2],
-        /// Bound of the error of each.
-        #[schemars(with = "Option<f64>")]
-        error: f64,
-    },
-    /// At infinity, as far as it is certain.
-    AtInfinity {
-        /// The direction in which it lies, of length 1.
-        at_infinity: [f64; 2],
-        /// Bound of the error of that direction, in degrees.
-        #[schemars(with = "Option<f64>")]
-        angle_error: f64,
-        /// How far away it is at least, where it is not at infinity in every position: bounds of rates can tell no more.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        farther_than: Option<f64>,
-    },
-}
-
-impl CenterResult {
-    /// The result for a whole centre that is asked for; `None` for other quantities. Where no bound can be proved it is the place without one.
-    fn of(asked: &QuantityRequest, bounds: &Bounds<'_>) -> Option<Option<CenterResult>> {
-        if asked.written.head != Head::Center || !asked.written.is_plain() {
-            return None;
-        }
-        let found = match bounds.center(asked) {
-            Some(Center::At { place, error }) => Some(CenterResult::At { position: place.into(), error }),
-            Some(Center::AtInfinity { direction, error, beyond }) => Some(CenterResult::AtInfinity {
-                at_infinity: direction.into(),
-                angle_error: error,
-                farther_than: beyond.is_finite().then_some(beyond),
-            }),
-            Some(_) => None,
-            None => match bounds.valued(asked, None) {
-                Ok((Quantity::Vector(place), error)) => Some(CenterResult::At { position: place.into(), error }),
-                _ => None,
-            },
-        };
-        Some(found)
-    }
-}
-
-/// How far hand drawings at the figure's scales are from the numbers, by quantity name.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct PencilResult {
-    /// Limit of the error of a point set, along x and along y, and of a length laid off or measured: millimetres of paper.
-    pub mm: f64,
-    /// Limit of the error of a direction drawn or read: degrees.
-    pub degrees: f64,
-    /// The scales of the sheets: units per millimetre of paper.
-    #[serde(flatten)]
-    #[schemars(schema_with = "scales_schema")]
-    pub mu: Scales,
-    /// By quantity name: what an honest drawing gives. A vector stands here by its `.size` and its `.angle`.
-    pub bands: IndexMap<String, BandResult>,
-    /// By quantity name: why a drawing gives no such value. Given values and points at rest are left out.
-    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
-    pub without: IndexMap<String, String>,
-}
-
-/// What an honest hand drawing gives for a quantity.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct BandResult {
-    /// Its value, of lengths and segments without a sign.
-    pub value: f64,
-    /// At least 95 of 100 drawings are at most this far from it.
-    pub band: f64,
-    /// Unit of both.
-    pub unit: String,
-    /// Present and true where errors are so large against the quantity that the band is only a rough one.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub rough: bool,
-}
-
-fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
-    Scales::schema(generator, |sheet| {
-        let per_mm = || format!(": {} per millimetre of paper", sheet.facts().scaled_units);
-        let units = sheet.order().map_or_else(per_mm, |_| String::new());
-        json!({ "description": format!("Scale of the {}{units}.", sheet.name()) })
-    })
 }
 
 /// The JSON Schema (draft 2020-12) of the result file.
@@ -460,75 +342,4 @@ impl Solution {
         }
         Ok(result)
     }
-}
-
-/// All points: joints, points of guides under sliders, special points.
-fn points(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, PointResult> {
-    let Solution { mechanism, pose, motion, construction, .. } = solution;
-    let mut points = IndexMap::new();
-    let has_accelerations = motion.order == Order::Acceleration;
-    let moving = |body: BodyId, place: Point, on: Option<BodyId>, errors: [f64; 3]| PointResult {
-        position: Some([place.x, place.y]),
-        position_error: Some(errors[0]),
-        velocity: Some(motion.body(body).velocity_at(place).into()),
-        velocity_error: Some(errors[1]),
-        acceleration: has_accelerations.then(|| motion.body(body).acceleration_at(place).into()),
-        acceleration_error: has_accelerations.then_some(errors[2]),
-        on: on.map(|b| mechanism.body(b).name.clone()),
-        ..PointResult::default()
-    };
-    let point_of = |body: BodyId, point: PointId, on: Option<BodyId>| {
-        let [velocity, acceleration] = bounds.motion_of(body, point);
-        moving(body, pose.point(point), on, [bounds.place(point), velocity, acceleration])
-    };
-    let holders = mechanism.holders();
-    for point in mechanism.point_ids() {
-        let holders = &holders[point.0];
-        // Preferably a body of known motion.
-        if let Some(&body) = holders.iter().find(|&&body| mechanism.is_known(body)).or(holders.first()) {
-            let name = mechanism.point_name(point).to_owned();
-            points.insert(name, point_of(body, point, None));
-        }
-    }
-    for slider in &mechanism.sliders {
-        let name = coincident_name(mechanism.point_name(slider.at), &mechanism.body(slider.on).name);
-        let under = point_of(slider.on, slider.at, Some(slider.on));
-        points.entry(name).or_insert(under);
-    }
-    for special in construction.special.iter().filter(|s| s.is_assur) {
-        let result = match special.place {
-            Place::At(place) => {
-                let errors = bounds.special(special).unwrap_or_default();
-                moving(special.link, place, Some(special.link), errors)
-            }
-            Place::AtInfinity(direction) => PointResult {
-                at_infinity: Some(direction.into()),
-                on: Some(mechanism.body(special.link).name.clone()),
-                ..PointResult::default()
-            },
-        };
-        points.insert(special.name.clone(), result);
-    }
-    points
-}
-
-/// The bands for the result file.
-#[must_use]
-pub fn pencil_result(pencil: &Pencil, units: Units) -> PencilResult {
-    let (mut bands, mut without) = (IndexMap::new(), IndexMap::new());
-    for (asked, band) in &pencil.quantities {
-        let name = asked.name().to_owned();
-        match band {
-            Ok(Band { value, band, is_rough }) => {
-                let unit = if asked.written.on_paper { "mm".to_owned() } else { asked.kind().unit(units) };
-                let result = BandResult { value: *value, band: *band, unit, rough: *is_rough };
-                bands.insert(name, result);
-            }
-            Err(Unread::Given) => {}
-            Err(why) => {
-                without.insert(name, why.to_string());
-            }
-        }
-    }
-    PencilResult { mm: pencil.tolerance.mm, degrees: pencil.tolerance.degrees, mu: pencil.scales, bands, without }
 }

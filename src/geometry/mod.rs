@@ -48,6 +48,13 @@ pub fn quarter_turn(v: Vector) -> Vector {
     Vector::new(-v.y, v.x)
 }
 
+/// The product of two vectors as complex numbers: `a` turned by the angle of `b` and longer as many times as `b` is.
+#[inline]
+#[must_use]
+pub fn complex_product(a: Vector, b: Vector) -> Vector {
+    Vector::new(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
+}
+
 /// The scalar cross product a × b, positive when b lies counter-clockwise of a.
 #[inline]
 #[must_use]

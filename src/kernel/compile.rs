@@ -1,13 +1,12 @@
 use super::action::{
-    Action, Chain, Closing, Input, InputKind, Kernel, Member, Placing, Rail, Reducing, Seat, Shape, Tied, TiedClass,
-    TiedSlide, Unknown,
+    Action, Closing, Input, InputKind, Kernel, Placing, Reducing, Seat, Shape, Tied, TiedClass, TiedSlide, Unknown,
 };
 use super::classes::classes;
-use super::lengths::{Column, Recipe, Span, Spot, Sum, Way, ZERO, total};
-use crate::geometry::{Turn, Vector};
+use super::lengths::{Recipe, Span, Spot, Way};
+use crate::geometry::Turn;
 use crate::mechanism::{
-    AngularConstraint, Body, BodyId, GROUND, Group, Joint, JointId, Loop, LoopEquations, Mechanism, PointId, Reduction,
-    Role, SliderId,
+    AngularConstraint, Body, BodyId, GROUND, Group, Joint, JointId, LoopEquations, Mechanism, PointId, Reduction, Role,
+    SliderId,
 };
 use crate::scene::GivenBy;
 
@@ -19,16 +18,16 @@ impl Kernel {
     }
 }
 
-struct Compiler<'a> {
-    mechanism: &'a Mechanism,
+pub(super) struct Compiler<'a> {
+    pub(super) mechanism: &'a Mechanism,
     /// By body: its class.
-    classes: Vec<usize>,
+    pub(super) classes: Vec<usize>,
     /// By body: its rotation in its class.
-    turns: Vec<Turn>,
+    pub(super) turns: Vec<Turn>,
     /// By body: slot and place of its first point.
-    anchors: Vec<Option<(usize, Spot)>>,
+    pub(super) anchors: Vec<Option<(usize, Spot)>>,
     placed: Vec<bool>,
-    kernel: Kernel,
+    pub(super) kernel: Kernel,
 }
 
 impl<'a> Compiler<'a> {
@@ -120,7 +119,7 @@ impl<'a> Compiler<'a> {
     }
 
     /// The place of a joint on one of its bodies, as [`Mechanism::joint_on`] has it.
-    fn joint_on(&self, joint: JointId, body: BodyId) -> Spot {
+    pub(super) fn joint_on(&self, joint: JointId, body: BodyId) -> Spot {
         match self.mechanism.joint(joint).slider {
             Some(id) if self.mechanism.slider(id).on == body => Spot::Guide(id),
             _ => self.spot(body, self.mechanism.joint_point(joint)),
@@ -301,149 +300,9 @@ impl<'a> Compiler<'a> {
         }
         Some(tied)
     }
-
-    /// Compiles a loop: sums its vectors by class, and assigns columns.
-    fn compile_loop(&mut self, chain: &Loop, closing: &mut Closing) {
-        // A loop names the lead of a compound link; the joints may be on others of its links.
-        let side = |joint, link| self.mechanism.side(joint, link);
-        let last = chain.joints.len() - 1;
-        let first = side(chain.joints[0], chain.bodies[0]);
-        let (start, from) = self.loop_end(first, chain.joints[0], chain.closed);
-        let mut walk = Walk { body: first, here: from };
-        let mut sums = LoopSums {
-            classes: &self.classes,
-            unknowns: &closing.unknowns,
-            members: Vec::new(),
-            rails: Vec::new(),
-            ways: Vec::new(),
-        };
-        for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
-            let [body, next] = [sides[0], sides[1]].map(|link| side(joint, link));
-            self.walk_compound(&mut sums, &mut walk, body);
-            self.walk_joint(&mut sums, &mut walk, joint, next);
-        }
-        let ends = if chain.closed {
-            self.walk_compound(&mut sums, &mut walk, first);
-            sums.add_vector(Span { body: first, from: walk.here, to: from });
-            None
-        } else {
-            let (end, there) = self.loop_end(walk.body, chain.joints[last], false);
-            sums.add_vector(Span { body: walk.body, from: walk.here, to: there });
-            Some([start, end])
-        };
-        let LoopSums { members: summed, mut rails, ways, .. } = sums;
-        let recipe = &mut self.kernel.recipe;
-        let mut members = Vec::with_capacity(summed.len());
-        for (mut member, sum) in summed {
-            let vector = total(&sum, self.mechanism, |body| self.turns[body.0]);
-            // A class whose vector vanishes and that has no slider contributes nothing: a known body with a pin at the
-            // loop's end.
-            if vector == Vector::zeros() && !rails.iter().any(|r: &Rail| r.class == member.class) {
-                recipe.vanishing.push(sum);
-                continue;
-            }
-            closing.size = closing.size.max(vector.x.abs()).max(vector.y.abs());
-            member.column = recipe.add_column(Column::Member(sum));
-            for rail in rails.iter_mut().filter(|r| r.class == member.class) {
-                rail.arm = member.column;
-            }
-            members.push(member);
-        }
-        for (rail, way) in rails.iter_mut().zip(ways) {
-            rail.column = recipe.add_column(Column::Guide(way));
-        }
-        let column = |unknown: &Unknown| match *unknown {
-            Unknown::Spin(class) => {
-                let member = members.iter().find(|m| m.class == class);
-                member.map_or(ZERO, |m| m.column)
-            }
-            Unknown::Slide(slider) => {
-                let rail = rails.iter().find(|r| r.slider == slider);
-                rail.map_or(ZERO, |r| r.column)
-            }
-        };
-        let columns = closing.unknowns.iter().map(column).collect();
-        let has_known = members.iter().any(|m| m.spin.is_none()) || rails.iter().any(|r| r.slide.is_none());
-        closing.chains.push(Chain { ends, members, rails, has_known, columns });
-    }
-
-    /// Continues the walk over the driven sliders of a compound link to its body `to`.
-    fn walk_compound(&self, sums: &mut LoopSums, walk: &mut Walk, to: BodyId) {
-        for driven in self.mechanism.slides_between(walk.body, to) {
-            self.walk_joint(sums, walk, self.mechanism.slider_joint(driven.slider), driven.to);
-        }
-    }
-
-    /// Continues the walk over a joint to body `to`: on the present body to the joint, then along the guide, if there
-    /// is one, to the joint on body `to`.
-    fn walk_joint(&self, sums: &mut LoopSums, walk: &mut Walk, joint: JointId, to: BodyId) {
-        let [leave, arrive] = [walk.body, to].map(|body| self.joint_on(joint, body));
-        sums.add_vector(Span { body: walk.body, from: walk.here, to: leave });
-        if let Some(slider) = self.mechanism.joint(joint).slider {
-            sums.add_slider(walk.body, Way { slider, is_back: self.mechanism.slider(slider).on != walk.body });
-        }
-        *walk = Walk { body: to, here: arrive };
-    }
-
-    /// Slot and place of a loop's end on a known body: its pin, or the body's first point at a slider.
-    fn loop_end(&self, body: BodyId, joint: JointId, closed: bool) -> (usize, Spot) {
-        match self.mechanism.joint(joint).pin {
-            Some(point) => (point.0, self.joint_on(joint, body)),
-            None if closed => (0, Spot::Origin),
-            None => self.anchors[body.0].unwrap_or((0, Spot::Origin)),
-        }
-    }
 }
 
 /// The angle of a rotation in radians.
 fn angle(turn: Turn) -> f64 {
     libm::atan2(turn.im, turn.re)
-}
-
-/// Present place of a walk along a loop.
-struct Walk {
-    body: BodyId,
-    here: Spot,
-}
-
-/// The vectors and sliders of a loop, summed by class during a walk.
-struct LoopSums<'a> {
-    classes: &'a [usize],
-    unknowns: &'a [Unknown],
-    members: Vec<(Member, Sum)>,
-    rails: Vec<Rail>,
-    /// By rail: its unit vector, positive along the loop.
-    ways: Vec<Way>,
-}
-
-impl LoopSums<'_> {
-    fn unknown(&self, unknown: Unknown) -> Option<usize> {
-        self.unknowns.iter().position(|u| *u == unknown)
-    }
-
-    /// Adds a vector to the member of its class.
-    fn add_vector(&mut self, span: Span) {
-        let class = self.classes[span.body.0];
-        let index = self.members.iter().position(|(member, _)| member.class == class);
-        let index = index.unwrap_or_else(|| {
-            let member = Member { class, spin: self.unknown(Unknown::Spin(class)), column: ZERO };
-            self.members.push((member, Sum::new()));
-            self.members.len() - 1
-        });
-        self.members[index].1.push(span);
-    }
-
-    /// Adds a slider whose guide has the rotation of the body's class.
-    fn add_slider(&mut self, body: BodyId, way: Way) {
-        let (class, slider) = (self.classes[body.0], way.slider.0);
-        self.rails.push(Rail {
-            class,
-            slider,
-            spin: self.unknown(Unknown::Spin(class)),
-            slide: self.unknown(Unknown::Slide(slider)),
-            arm: ZERO,
-            column: ZERO,
-        });
-        self.ways.push(way);
-    }
 }

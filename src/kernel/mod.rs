@@ -27,6 +27,7 @@ mod close;
 mod columns;
 mod compile;
 mod lengths;
+mod loops;
 mod motions;
 mod rates;
 mod refine;

@@ -2,7 +2,7 @@ use super::joint::guide_line;
 use super::says;
 use super::shape::{Side, local_points};
 use super::{Mechanism, Role, StructureError};
-use crate::geometry::{Point, Vector, direction_of_degrees};
+use crate::geometry::{Point, complex_product, direction_of_degrees};
 use crate::message::Message;
 use crate::scene::{self, At, GivenBy, On, Scene};
 use indexmap::IndexMap;
@@ -140,9 +140,7 @@ pub(super) fn places_from_drives(scene: &Scene) -> IndexMap<&str, Point> {
             continue;
         };
         for (name, at) in points() {
-            let arm = at - center;
-            let turned = Vector::new(axis.x * arm.x - axis.y * arm.y, axis.y * arm.x + axis.x * arm.y);
-            places.insert(name.as_str(), pivot + turned);
+            places.insert(name.as_str(), pivot + complex_product(axis, at - center));
         }
     }
     for slider in scene.sliders.iter().filter(|s| s.on == On::Ground) {

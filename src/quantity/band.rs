@@ -1,6 +1,8 @@
 //! Bands of quantities: the scatter that honest errors of a hand drawing give them.
 
-use super::name::{QuantityError, QuantityRequest, step_names};
+use super::error::QuantityError;
+use super::name::QuantityRequest;
+use super::names::step_names;
 use super::reading::{Reading, Sense, Unread, read_by_hand};
 use crate::construction::{
     Change, ComingRound, Construction, Disturbance, NumberId, Operation, Rubbed, Solution, Tolerance, Values,

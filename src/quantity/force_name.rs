@@ -1,6 +1,7 @@
 //! Names of forces, moments and powers, looked up in a mechanism with loads.
 
-use super::name::{Finder, Part, QuantityError, Spot, unknown};
+use super::error::{Part, QuantityError, unknown};
+use super::name::{Finder, Spot};
 use super::says;
 use crate::forces::{Source, rubbed_joints};
 use crate::mechanism::{BodyId, Class, GROUND, JointId, Mechanism, PointId, Role, SliderId};
@@ -157,20 +158,20 @@ pub fn force_names(mechanism: &Mechanism) -> Vec<String> {
         let joints: Vec<JointId> = mechanism.joint_ids().filter(at_pin).collect();
         let is_joined = |body: &BodyId| joints.iter().any(|joint| mechanism.joint(*joint).bodies.contains(body));
         for body in mechanism.body_ids().filter(|body| is_joined(body) && !mechanism.body(*body).is_nameless()) {
-            let subject = format!("({},{})", mechanism.point_name(pin), mechanism.body(body).name);
-            names.push(format!("R{subject}"));
-            names.extend(has_friction.then(|| format!("M_f{subject}")));
+            let subject = format!("{},{}", mechanism.point_name(pin), mechanism.body(body).name);
+            names.push(Head::Reaction.of(&subject));
+            names.extend(has_friction.then(|| Head::FrictionCouple.of(&subject)));
         }
     }
     for id in mechanism.slider_ids() {
         let name = mechanism.slider_name(id);
-        names.extend(["N", "M", "h"].map(|head| format!("{head}({name})")));
-        names.extend(rubbed.contains(&mechanism.slider_joint(id)).then(|| format!("F_f({name})")));
-        names.extend(mechanism.slider(id).drive.map(|_| format!("F({name})")));
+        names.extend([Head::GuideForce, Head::GuideCouple, Head::GuideOffset].map(|head| head.of(&name)));
+        names.extend(rubbed.contains(&mechanism.slider_joint(id)).then(|| Head::FrictionForce.of(&name)));
+        names.extend(mechanism.slider(id).drive.map(|_| Head::Push.of(&name)));
     }
     let turned = mechanism.bodies.iter().filter(|body| matches!(body.role, Role::Driver { .. }));
-    names.extend(turned.map(|body| format!("T({})", body.name)));
-    names.push("shaking".to_owned());
+    names.extend(turned.map(|body| Head::Torque.of(&body.name)));
+    names.push(Head::Shaking.word().to_owned());
     names
 }
 

@@ -1,7 +1,8 @@
 //! Forces in joints and drives as quantities, in a position with its rates.
 
+use super::error::QuantityError;
 use super::force_name::{ArmPoint, ForceOf, LinePart, LoadOf, Towards};
-use super::name::{QuantityError, QuantityRequest, Spot, What};
+use super::name::{QuantityRequest, Spot, What};
 use super::says;
 use super::value::{Quantity, Reader, State};
 use super::ways::ForceWay;

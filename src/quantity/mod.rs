@@ -11,10 +11,11 @@
 //! replaced by a mistaken one.
 
 mod band;
+mod error;
 mod force_name;
-mod force_reading;
 mod forces;
 mod name;
+mod names;
 mod poles;
 mod reading;
 #[doc(hidden)] // for tests
@@ -27,13 +28,12 @@ mod ways;
 pub use crate::scene::{Component, Head, QuantityName};
 pub use crate::sheet::QuantityKind;
 pub use band::{Band, Pencil, pencil, step_pencil};
+pub use error::QuantityError;
 pub use force_name::{ArmPoint, ForceOf, LinePart, LoadOf, Towards, force_names};
 pub(crate) use forces::ForceRead;
 pub use forces::KeptForces;
-pub use name::{
-    AccelerationPart, Pole, PoleOf, QuantityError, QuantityRequest, Spot, What, measured_names, readable_names,
-    step_names,
-};
+pub use name::{AccelerationPart, Pole, PoleOf, QuantityRequest, Spot, What};
+pub use names::{measured_names, readable_names, step_names};
 pub use reading::{Reading, Sense, Unread, read_by_hand};
 pub use turning::turning_names;
 pub use value::{Quantity, Snapshot, State};

@@ -1,88 +1,16 @@
 //! Names of quantities, and the quantities they name.
 
+use super::error::{Part, QuantityError, unknown};
 use super::force_name::ForceOf;
-use super::says;
 use super::ways::Corners;
-use crate::Problem;
 use crate::centers::{LinkPair, Permanent};
-use crate::construction::{Construction, NumberedStep, Rate, Solution, coincident_name};
+use crate::construction::Rate;
 use crate::forces::Compiled;
-use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, Rolling, SliderId};
-use crate::message::Message;
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Rolling, SliderId};
 use crate::scene::{Component, Head, QuantityName, TimeUnit};
 use crate::sheet::{Order, Sheet};
 use crate::text::shown;
 use std::sync::Arc;
-
-/// Why a quantity has no value.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{}", self.problem().message)]
-#[non_exhaustive]
-pub enum QuantityError {
-    /// The name has none of the known forms.
-    Form(String),
-    /// The name contains a link, slider or point that this scene does not have.
-    Unknown {
-        /// The whole name.
-        quantity: String,
-        /// The kind of what is missing.
-        what: Part,
-        /// Its name.
-        name: String,
-        /// A similar name, if there is one.
-        nearest: Option<String>,
-    },
-    /// The quantity lies at infinity, has no zero to count from, or needs what was not computed.
-    NoValue(String, Message),
-    /// A length on paper has no curve.
-    OnPaper(String),
-    /// A place has no size, which a curve could show.
-    NoSize(String),
-}
-
-/// What the name of a quantity has in it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Part {
-    /// A link.
-    Link,
-    /// A slider.
-    Slider,
-    /// A point.
-    Point,
-    /// A point of a plan.
-    PlanPoint,
-    /// A load.
-    Load,
-}
-
-impl QuantityError {
-    /// What is wrong, and what to try. A similar name stands in the message, as it belongs to one of its names.
-    #[must_use]
-    pub fn problem(&self) -> Problem {
-        match self {
-            QuantityError::Form(name) => says::no_quantity(name).into(),
-            QuantityError::Unknown { quantity, what, name, nearest } => {
-                let message = match what {
-                    Part::Link => says::no_link(quantity, name),
-                    Part::Slider => says::no_slider(quantity, name),
-                    Part::Point => says::no_point(quantity, name),
-                    Part::PlanPoint => says::no_plan_point(quantity, name),
-                    Part::Load => says::no_load(quantity, name),
-                };
-                match nearest {
-                    Some(near) => says::did_you_mean(message, near).into(),
-                    None => message.into(),
-                }
-            }
-            QuantityError::NoValue(name, why) => says::no_value(name, why.clone()).into(),
-            QuantityError::OnPaper(name) => {
-                Problem::new(says::no_value(name, says::on_paper())).hint(says::without_mu())
-            }
-            QuantityError::NoSize(name) => says::place_has_no_size(shown(name)).into(),
-        }
-    }
-}
 
 /// A quantity by its name, looked up in a mechanism once.
 ///
@@ -248,16 +176,6 @@ impl QuantityRequest {
     }
 }
 
-pub(super) fn unknown<'n>(
-    quantity: &str,
-    what: Part,
-    name: &str,
-    known: impl Iterator<Item = &'n str>,
-) -> QuantityError {
-    let nearest = crate::scene::nearest_within(name, known, 2);
-    QuantityError::Unknown { quantity: shown(quantity), what, name: shown(name), nearest: nearest.map(str::to_owned) }
-}
-
 /// Looks up the parts of a quantity's name in a mechanism.
 pub(super) struct Finder<'a> {
     pub name: &'a str,
@@ -273,7 +191,7 @@ impl Finder<'_> {
         let (first, second) = (arguments.first().map_or("", String::as_str), arguments.get(1).map(String::as_str));
         let motion =
             |order| Ok(What::Motion(order, self.spot(first)?, second.map(|name| self.spot(name)).transpose()?));
-        let two_spots = || Ok((self.spot(first)?, self.spot(second.ok_or_else(|| self.form())?)?));
+        let both = || Ok([first, second.ok_or_else(|| self.form())?]);
         let turning = |order| {
             Ok(match second {
                 None => What::Rate(Rate::Angular(order, self.link(first)?)),
@@ -283,7 +201,10 @@ impl Finder<'_> {
         Ok(match *head {
             Head::Omega => return turning(Order::Velocity),
             Head::Alpha => return turning(Order::Acceleration),
-            Head::SpeedRatio => What::SpeedRatio([self.link(first)?, self.link(second.ok_or_else(|| self.form())?)?]),
+            Head::SpeedRatio => {
+                let [own, other] = both()?;
+                What::SpeedRatio([self.link(own)?, self.link(other)?])
+            }
             Head::Rpm => What::Rpm(self.link(first)?, self.mechanism.time),
             Head::Angle => What::Angle(self.link(first)?),
             Head::SlidePosition => What::SlidePosition(self.slider(first)?),
@@ -299,23 +220,18 @@ impl Finder<'_> {
             Head::Acceleration => return motion(Order::Acceleration),
             Head::Normal | Head::Tangential => {
                 let part = if *head == Head::Normal { AccelerationPart::Normal } else { AccelerationPart::Tangential };
-                let (a, b) = two_spots()?;
+                let [a, b] = both()?;
+                let (a, b) = (self.spot(a)?, self.spot(b)?);
                 let link = self.common_link(&a, &b);
                 What::Part(part, a, b, link)
             }
             Head::Between(sheet) => match sheet.order() {
-                Some(order) => {
-                    let second = second.ok_or_else(|| self.form())?;
-                    What::Segment(order, [first, second].map(str::to_owned))
-                }
-                None if sheet == Sheet::Forces => {
-                    let second = second.ok_or_else(|| self.form())?;
-                    What::Corners(Corners::new([first, second].map(str::to_owned)))
-                }
+                Some(order) => What::Segment(order, both()?.map(str::to_owned)),
+                None if sheet == Sheet::Forces => What::Corners(Corners::new(both()?.map(str::to_owned))),
                 // Only segments of plans are known in millimetres of paper.
                 None if sheet == Sheet::Scheme && !on_paper => {
-                    let second = second.ok_or_else(|| self.form())?;
-                    What::Length(self.spot_or_pole(first)?, self.spot_or_pole(second)?)
+                    let [from, to] = both()?;
+                    What::Length(self.spot_or_pole(from)?, self.spot_or_pole(to)?)
                 }
                 None => return Err(self.form()),
             },
@@ -442,52 +358,4 @@ impl Finder<'_> {
         let common = links().filter(holds_first).find(|&link| holds(link, b));
         common.or_else(|| links().filter(holds_first).find(|&link| is_joined(link)))
     }
-}
-
-/// Names of the quantities that results and steps give and that may be read from a hand drawing: measured lengths and
-/// segments, rates, vectors by size and angle, angles of links, positions of sliders.
-#[must_use]
-pub fn readable_names(solution: &Solution) -> Vec<String> {
-    let Solution { mechanism, motion, construction, .. } = solution;
-    let mut names = measured_names(construction);
-    for (_, body) in mechanism.links().filter(|(_, b)| b.role != Role::Unsolved) {
-        // A link with one point has no line whose angle could be measured.
-        let heads = ["angle", "omega", "alpha"].into_iter().skip(usize::from(body.points.len() < 2));
-        names.extend(heads.map(|head| format!("{head}({})", body.name)));
-    }
-    for slider in mechanism.slider_ids() {
-        let slider = mechanism.slider_name(slider);
-        names.extend(["position", "v_r", "a_r"].map(|head| format!("{head}({slider})")));
-        names.push(format!("a_c({slider}).size"));
-    }
-    let sliders = mechanism.sliders.iter();
-    let under = sliders.map(|s| coincident_name(mechanism.point_name(s.at), &mechanism.body(s.on).name));
-    let special = construction.special.iter();
-    let special = special.filter(|s| s.is_assur && s.place.finite().is_some());
-    let points = mechanism.points.iter().cloned().chain(under);
-    for point in points.chain(special.map(|s| s.name.clone())) {
-        for head in ["v", "a"] {
-            names.extend(["size", "angle"].map(|part| format!("{head}({point}).{part}")));
-        }
-    }
-    if motion.order == Order::Velocity {
-        names.retain(|name| !QuantityName::parse(name).is_some_and(|name| name.needs_accelerations()));
-    }
-    names
-}
-
-/// Names of the lengths and segments that the construction measures, in its order.
-#[must_use]
-pub fn measured_names(construction: &Construction) -> Vec<String> {
-    let measured = construction.steps_by_hand().filter(|step| step.action.is_measured());
-    measured.flat_map(|step| step.names()).collect()
-}
-
-/// Names of the quantities whose values the construction's steps give: first those measured, then those of each plan in
-/// order.
-#[must_use]
-pub fn step_names(construction: &Construction) -> Vec<String> {
-    let mut steps: Vec<NumberedStep<'_>> = construction.steps_by_hand().collect();
-    steps.sort_by_key(|step| !step.action.is_measured());
-    steps.iter().flat_map(NumberedStep::names).collect()
 }

@@ -1,6 +1,7 @@
 //! Poles of the motion: instant centres, inflection poles, poles of accelerations; in numbers without bounds.
 
-use super::name::{Pole, PoleOf, QuantityError, QuantityRequest};
+use super::error::QuantityError;
+use super::name::{Pole, PoleOf, QuantityRequest};
 use super::says;
 use super::value::{Quantity, State};
 use crate::centers::{LinkPair, Moved, Permanent, to_the_right};

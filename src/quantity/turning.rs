@@ -1,6 +1,7 @@
 //! Names of the quantities of links that turn: ratios of speeds, speeds seen from a carrier, revolutions a minute.
 
 use crate::mechanism::{BodyId, GROUND, Mechanism, Role};
+use crate::scene::Head;
 use indexmap::IndexSet;
 
 /// Names of what trains of wheels and linkages with several links that turn in the frame are asked for besides rates: ratios to the speed
@@ -26,12 +27,12 @@ pub fn turning_names(mechanism: &Mechanism) -> Vec<String> {
     let Some(driver) = turning.iter().find(is_driver).or(turning.first()) else { return Vec::new() };
     let name = |body: &BodyId| &mechanism.body(*body).name;
     let followers = turning.iter().filter(|body| *body != driver);
-    let mut names: Vec<String> = followers.map(|body| format!("i({},{})", name(body), name(driver))).collect();
+    let mut names: Vec<String> = followers.map(|body| Head::SpeedRatio.of_two(name(body), name(driver))).collect();
     for [wheel, arm] in &on_arms {
-        names.extend(["omega", "alpha"].map(|head| format!("{head}({}/{})", name(wheel), name(arm))));
+        names.extend([Head::Omega, Head::Alpha].map(|head| head.of_two(name(wheel), name(arm))));
     }
     if !wheels.is_empty() {
-        names.extend(turning.iter().map(|body| format!("rpm({})", name(body))));
+        names.extend(turning.iter().map(|body| Head::Rpm.of(name(body))));
     }
     names
 }

@@ -1,7 +1,8 @@
 //! Values of quantities in a position.
 
+use super::error::{Part, QuantityError, unknown};
 use super::forces::KeptForces;
-use super::name::{AccelerationPart, Part, QuantityError, QuantityRequest, Spot, What, unknown};
+use super::name::{AccelerationPart, QuantityRequest, Spot, What};
 use super::says;
 use crate::construction::{Construction, Rate, Solution, image_name, normal_name};
 use crate::geometry::{Point, Vector, degrees_of, quarter_turn};

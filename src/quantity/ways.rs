@@ -1,9 +1,10 @@
 //! What lies between two corners of a force polygon as a sum of forces: those that lead from one corner to the other. In another position a
 //! polygon may begin with other forces; the sum is there, too.
 
+use super::error::QuantityError;
 use super::force_name::{ForceOf, LoadOf};
 use super::forces::part_as_vector;
-use super::name::{QuantityError, QuantityRequest, What};
+use super::name::{QuantityRequest, What};
 use super::says;
 use super::value::Snapshot;
 use crate::construction::{Corner, ForceOf as Drawn, ForcePart, ForcePlan, Side, force_polygons};

@@ -1,11 +1,11 @@
 //! Builds a scene in Rust: writes the text of its file key by key, which is then read as any other.
 
-use super::choices::{LengthUnit, TimeUnit, Units};
 use super::error::SceneError;
 use super::figure::Figure;
 use super::given::{LinkMotion, PointMotion};
 use super::joint::{Belt, key_order};
 use super::read::Scene;
+use super::units::{LengthUnit, TimeUnit, Units};
 use super::value::{At, Direction};
 use super::write::{Write, Written, text_of};
 

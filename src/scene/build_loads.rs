@@ -1,8 +1,8 @@
 //! What loads the links of a scene that is built in Rust.
 
 use super::build::{Builder, NewLink, Object};
-use super::choices::{ForceUnit, MassUnit};
 use super::loads::{Analysis, LinkPlace};
+use super::units::{ForceUnit, MassUnit};
 use super::write::{Write, Written};
 
 impl Builder {

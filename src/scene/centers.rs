@@ -2,8 +2,9 @@
 
 use super::error::{Wrong, shortened};
 use super::figure::Figure;
+use super::head::Head;
 use super::names::Names;
-use super::quantity_name::{Head, QuantityName};
+use super::quantity_name::QuantityName;
 use super::says;
 use super::write::{Write, Written};
 use serde::de::{SeqAccess, Unexpected, Visitor};

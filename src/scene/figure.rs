@@ -9,13 +9,14 @@ use std::ops::RangeInclusive;
 
 use super::centers::CentersShown;
 use super::choices::{
-    CenterName, ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, NotationName, Page, PageSize,
-    ScalesFor, Sizes, SlidingName, StyleName, TurnedName, ValuesShown,
+    CenterName, ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, NotationName, ScalesFor,
+    SlidingName, StyleName, TurnedName, ValuesShown,
 };
 use super::error::{Wrong, list, number, shortened};
 use super::given::GivenBy;
 use super::joint::{Contact, Slider};
 use super::names::Names;
+use super::page::{Page, PageSize, Sizes};
 use super::says;
 use super::schema::without_defaults;
 use super::text::LARGEST;

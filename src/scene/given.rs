@@ -1,9 +1,9 @@
 //! What a scene gives: its places by lengths or by a drawing, and motions by drives or as they are known.
 
-use super::choices::TimeUnit;
 use super::error::Wrong;
 use super::says;
 use super::schema::without_defaults;
+use super::units::TimeUnit;
 use super::value::{At, Vector, vector};
 use super::write::write_keys;
 use schemars::JsonSchema;

@@ -7,12 +7,12 @@ use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::choices::TimeUnit;
 use super::error::{Wrong, number};
 use super::given::{Drive, GivenBy, LinkDriveFile, LinkMotion, SliderDrive, first_given};
 use super::loads::{LinkPlace, MassFields};
 use super::name::{Bearer, check_list, check_name, checked_pair, joined, no_point};
 use super::says;
+use super::units::TimeUnit;
 use super::value::{NamesOr, ShapePoint, several_forms};
 use super::write::{write_forms, write_keys};
 

@@ -1,7 +1,6 @@
 //! What a scene's links weigh and what acts on them: masses, gravity, forces, couples, springs and friction, from which forces in joints and
 //! drives follow. A scene without any of these keys has none, and nothing is computed of them.
 
-use super::choices::Units;
 use super::error::Wrong;
 use super::friction::{Friction, FrictionFile, at_least_zero};
 use super::given::GivenBy;
@@ -10,6 +9,7 @@ use super::load_names::LoadNames;
 use super::names::Names;
 use super::over::{Over, OverFile};
 use super::says;
+use super::units::Units;
 use super::value::{Direction, OneOf, Vector, choice, several_forms};
 use super::write::{Write, Written, write_forms, write_keys};
 use crate::text::shown;

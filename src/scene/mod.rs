@@ -20,6 +20,7 @@ mod error;
 mod figure;
 mod friction;
 mod given;
+mod head;
 mod joint;
 mod kinds;
 mod link;
@@ -28,6 +29,7 @@ mod loads;
 mod name;
 mod names;
 mod over;
+mod page;
 mod points;
 mod quantity_name;
 mod read;
@@ -37,6 +39,7 @@ pub mod says;
 mod schema;
 mod text;
 mod typed;
+mod units;
 mod value;
 mod write;
 
@@ -45,26 +48,28 @@ pub use build_contacts::Profiles;
 pub use build_loads::{NewLoad, NewSpring};
 pub use centers::CentersShown;
 pub use choices::{
-    CenterName, ConstructionShown, CoriolisName, DecimalMark, ForceUnit, FrameName, LanguageName, LengthUnit, MassUnit,
-    Measure, NotationName, Page, PageSize, ScalesFor, Sizes, SlidingName, StyleName, TimeUnit, TurnedName, Units,
-    ValuesShown,
+    CenterName, ConstructionShown, CoriolisName, DecimalMark, FrameName, LanguageName, NotationName, ScalesFor,
+    SlidingName, StyleName, TurnedName, ValuesShown,
 };
 pub use error::{Place, SceneError};
 pub use figure::Figure;
 pub use friction::{Friction, Grip, RubbingJoint};
 pub use given::{Drive, GivenBy, LinkMotion, PointMotion, SliderDrive};
+pub use head::{Argument, Component, Head};
 pub use joint::*;
 pub use kinds::Kind;
 pub use link::{Length, Link, Shape};
 pub use loads::{Amount, Analysis, LinkPlace, Load, Loads, Mass, Spring, SpringEnd};
 pub use over::{Gauge, Over};
+pub use page::{Measure, Page, PageSize, Sizes};
 pub use points::Near;
-pub use quantity_name::{Argument, Component, Head, QuantityName};
+pub use quantity_name::QuantityName;
 pub(crate) use read::MOST_MARKS;
 pub use read::{Scene, SizeLimit};
 #[doc(hidden)] // for tests
 pub use read::{folded, signs};
 pub use text::MAX_BYTES;
+pub use units::{ForceUnit, LengthUnit, MassUnit, TimeUnit, Units};
 pub use value::{At, Direction, polar};
 
 pub(crate) use error::{close, list, nearest, nearest_within, range_of};

@@ -2,8 +2,9 @@
 //! a cutting force over a tool's stroke.
 
 use super::error::Wrong;
+use super::head::Head;
 use super::names::Names;
-use super::quantity_name::{Head, QuantityName};
+use super::quantity_name::QuantityName;
 use super::says;
 use super::value::{Direction, OneOf, several_forms};
 use super::write::{write_forms, write_keys};

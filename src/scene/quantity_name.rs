@@ -1,8 +1,9 @@
 //! The name of a quantity taken apart, as `vplan(b,s3)/mu`: what it asks for, of which links, sliders and points, and of
-//! what kind its value is. It is read here and nowhere else; whether the scene has these links and points, `quantity` knows.
+//! what kind its value is (`head`). It is read here and nowhere else; whether the scene has these links and points, `quantity` knows.
 
-use super::choices::{ForceUnit, Units};
-use crate::sheet::{QuantityKind, Sheet};
+use super::head::{Argument, Component, Form, Head};
+use super::units::{ForceUnit, Units};
+use crate::sheet::QuantityKind;
 use std::fmt;
 
 /// A quantity's name, well formed.
@@ -18,260 +19,6 @@ pub struct QuantityName {
     pub on_paper: bool,
 }
 
-/// What a quantity's name asks for: the word before its parenthesis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Head {
-    /// Angular velocity of a link, or relative to a second one.
-    Omega,
-    /// Angular acceleration of a link, or relative to a second one.
-    Alpha,
-    /// The angular velocity of a link over that of a second one.
-    SpeedRatio,
-    /// Angular velocity of a link in revolutions a minute.
-    Rpm,
-    /// Angle of a link's axis from +x.
-    Angle,
-    /// Position of a slider along its guide.
-    SlidePosition,
-    /// Velocity of a slider along its guide.
-    SlideVelocity,
-    /// Acceleration of a slider along its guide.
-    SlideAcceleration,
-    /// Coriolis acceleration of a slider.
-    Coriolis,
-    /// A point's coordinate along x.
-    X,
-    /// A point's coordinate along y.
-    Y,
-    /// Velocity of a point, or relative to a second one.
-    Velocity,
-    /// Acceleration of a point, or relative to a second one.
-    Acceleration,
-    /// Normal part of an acceleration relative to a second point.
-    Normal,
-    /// Tangential part of an acceleration relative to a second point.
-    Tangential,
-    /// The distance of two points of a sheet: a length of the scheme, a segment of a plan.
-    Between(Sheet),
-    /// The instant centre of two links.
-    Center,
-    /// The inflection pole of a link.
-    InflectionPole,
-    /// The diameter of a link's inflection circle.
-    InflectionDiameter,
-    /// The pole of accelerations of a link.
-    AccelerationPole,
-    /// The radius of curvature of a point's path.
-    PathRadius,
-    /// The force on a link at a pin.
-    Reaction,
-    /// The force on a sliding link across its guide.
-    GuideForce,
-    /// The couple on a sliding link from its guide.
-    GuideCouple,
-    /// The torque of a link's drive.
-    Torque,
-    /// The force of a slider's drive.
-    Push,
-    /// The part of the force on a link at a pin along the line of the link's two joints.
-    ReactionAlong,
-    /// The part across that line.
-    ReactionAcross,
-    /// How far from the slider's point the line of its guide's force runs.
-    GuideOffset,
-    /// The inertia force of a link.
-    InertiaForce,
-    /// The inertia couple of a link.
-    InertiaCouple,
-    /// The friction on a sliding link along its guide.
-    FrictionForce,
-    /// The couple of friction on a link at a pin.
-    FrictionCouple,
-    /// The acceleration of a link's centre of mass.
-    CenterAcceleration,
-    /// The moment of a load about a point.
-    LoadMoment,
-    /// The arm of a force about a point, or about the crossing of the lines of two forces.
-    Arm,
-    /// The force of a load.
-    Load,
-    /// The power of a load.
-    Power,
-    /// The shaking force: what the links do to the frame.
-    Shaking,
-    /// The moment of that about a point.
-    ShakingMoment,
-}
-
-/// What stands between a name's parentheses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Argument {
-    /// A link.
-    Link,
-    /// A slider, as `3/2`.
-    Slider,
-    /// A point, of the scheme or of a plan.
-    Point,
-    /// A load, as a force's name, `weight(2)`, `inertia(2)`, a spring's name with its link in parentheses, `friction(3/2)` or `friction(B,2)`.
-    Load,
-    /// None: the name has no parentheses.
-    Nothing,
-}
-
-/// A number of a vector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Component {
-    /// Along x.
-    X,
-    /// Along y.
-    Y,
-    /// Its magnitude.
-    Size,
-    /// Its direction from +x, in degrees.
-    Angle,
-}
-
-impl Component {
-    /// What stands behind a name for each.
-    const TAILS: [(Component, &'static str); 4] =
-        [(Component::X, ".x"), (Component::Y, ".y"), (Component::Size, ".size"), (Component::Angle, ".angle")];
-}
-
-impl Head {
-    /// The heads that are not the distance of two points: the word for each, what its arguments are, and the kind of its value.
-    const KNOWN: &'static [(Head, &'static str, Argument, QuantityKind)] = &[
-        (Head::Omega, "omega", Argument::Link, QuantityKind::AngularVelocity),
-        (Head::Alpha, "alpha", Argument::Link, QuantityKind::AngularAcceleration),
-        (Head::SpeedRatio, "i", Argument::Link, QuantityKind::SpeedRatio),
-        (Head::Rpm, "rpm", Argument::Link, QuantityKind::RotationalSpeed),
-        (Head::Angle, "angle", Argument::Link, QuantityKind::Angle),
-        (Head::SlidePosition, "position", Argument::Slider, QuantityKind::Position),
-        (Head::SlideVelocity, "v_r", Argument::Slider, QuantityKind::Velocity),
-        (Head::SlideAcceleration, "a_r", Argument::Slider, QuantityKind::Acceleration),
-        (Head::Coriolis, "a_c", Argument::Slider, QuantityKind::Acceleration),
-        (Head::X, "x", Argument::Point, QuantityKind::Position),
-        (Head::Y, "y", Argument::Point, QuantityKind::Position),
-        (Head::Velocity, "v", Argument::Point, QuantityKind::Velocity),
-        (Head::Acceleration, "a", Argument::Point, QuantityKind::Acceleration),
-        (Head::Normal, "a_n", Argument::Point, QuantityKind::Acceleration),
-        (Head::Tangential, "a_t", Argument::Point, QuantityKind::Acceleration),
-        (Head::Center, "P", Argument::Link, QuantityKind::Position),
-        (Head::InflectionPole, "W", Argument::Link, QuantityKind::Position),
-        (Head::InflectionDiameter, "d_i", Argument::Link, QuantityKind::Length),
-        (Head::AccelerationPole, "G", Argument::Link, QuantityKind::Position),
-        (Head::PathRadius, "rho", Argument::Point, QuantityKind::Length),
-        (Head::Reaction, "R", Argument::Point, QuantityKind::Force),
-        (Head::GuideForce, "N", Argument::Slider, QuantityKind::Force),
-        (Head::GuideCouple, "M", Argument::Slider, QuantityKind::Moment),
-        (Head::Torque, "T", Argument::Link, QuantityKind::Moment),
-        (Head::Push, "F", Argument::Slider, QuantityKind::Force),
-        (Head::ReactionAlong, "R_n", Argument::Point, QuantityKind::Force),
-        (Head::ReactionAcross, "R_t", Argument::Point, QuantityKind::Force),
-        (Head::GuideOffset, "h", Argument::Slider, QuantityKind::Position),
-        (Head::InertiaForce, "F_i", Argument::Link, QuantityKind::Force),
-        (Head::InertiaCouple, "M_i", Argument::Link, QuantityKind::Moment),
-        (Head::FrictionForce, "F_f", Argument::Slider, QuantityKind::Force),
-        (Head::FrictionCouple, "M_f", Argument::Point, QuantityKind::Moment),
-        (Head::CenterAcceleration, "a_cm", Argument::Link, QuantityKind::Acceleration),
-        (Head::LoadMoment, "moment", Argument::Load, QuantityKind::Moment),
-        (Head::Arm, "arm", Argument::Load, QuantityKind::Length),
-        (Head::Load, "load", Argument::Load, QuantityKind::Force),
-        (Head::Power, "power", Argument::Load, QuantityKind::Power),
-        (Head::Shaking, "shaking", Argument::Nothing, QuantityKind::Force),
-        (Head::ShakingMoment, "shaking", Argument::Point, QuantityKind::Moment),
-    ];
-
-    /// The head of a word that has arguments behind it, or none.
-    fn of(word: &str, has_arguments: bool) -> Option<Head> {
-        let between = || Sheet::ALL.into_iter().find(|sheet| sheet.facts().segment == word).map(Head::Between);
-        let is_it = |own: &str, argument| own == word && (argument != Argument::Nothing) == has_arguments;
-        let known = Head::KNOWN.iter().find(|(_, own, argument, _)| is_it(own, *argument));
-        known.map(|(head, ..)| *head).or_else(|| between().filter(|_| has_arguments))
-    }
-
-    /// The word for it, what its arguments are, and the kind of its value.
-    fn facts(self) -> (&'static str, Argument, QuantityKind) {
-        let known = || Head::KNOWN.iter().find(|(head, ..)| *head == self).expect("every other head is listed");
-        match self {
-            Head::Between(sheet) => (sheet.facts().segment, Argument::Point, sheet.facts().drawn),
-            _ => (known().1, known().2, known().3),
-        }
-    }
-
-    /// The word for it.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        self.facts().0
-    }
-
-    /// What its argument of this index is.
-    #[must_use]
-    pub fn argument(self, index: usize) -> Argument {
-        match (self, index) {
-            (Head::Reaction | Head::ReactionAlong | Head::ReactionAcross | Head::FrictionCouple, 1) => Argument::Link,
-            (Head::LoadMoment | Head::Arm, 1) => Argument::Point,
-            _ => self.facts().1,
-        }
-    }
-
-    /// The kind of its value; of a vector that of its size.
-    #[must_use]
-    pub fn kind(self) -> QuantityKind {
-        self.facts().2
-    }
-
-    /// What separates its two arguments; `None` where it has one.
-    fn separator(self) -> Option<&'static str> {
-        match self {
-            Head::Omega | Head::Alpha | Head::Velocity | Head::Acceleration | Head::Normal | Head::Tangential => {
-                Some("/")
-            }
-            Head::Between(_)
-            | Head::SpeedRatio
-            | Head::Center
-            | Head::Reaction
-            | Head::ReactionAlong
-            | Head::ReactionAcross
-            | Head::FrictionCouple
-            | Head::LoadMoment
-            | Head::Arm => Some(","),
-            _ => None,
-        }
-    }
-
-    /// Its arguments, from what stands between a name's parentheses; `None` where a second one is missing.
-    fn split(self, inner: &str) -> Option<Vec<&str>> {
-        if self == Head::Arm {
-            return several_outside(inner, ",").filter(|parts| matches!(parts.len(), 2 | 3));
-        }
-        // Velocities and accelerations are against the frame, or against a second point or link.
-        let may_be_one = matches!(self, Head::Omega | Head::Alpha | Head::Velocity | Head::Acceleration);
-        let needs_two = self.separator().is_some() && !may_be_one;
-        match self.separator().and_then(|by| split_outside(inner, by)) {
-            Some((first, second)) => Some(vec![first, second]),
-            None => (!needs_two).then(|| vec![inner]),
-        }
-    }
-}
-
-/// Splits at the first separator that stands in no parentheses: `P(2,ground),B` between its two points.
-fn split_outside<'t>(inner: &'t str, by: &str) -> Option<(&'t str, &'t str)> {
-    let is_outside = |at: &usize| inner[..*at].matches('(').count() == inner[..*at].matches(')').count();
-    let at = inner.match_indices(by).map(|(at, _)| at).find(is_outside)?;
-    Some((&inner[..at], &inner[at + by.len()..]))
-}
-
-/// Splits at all separators that stand in no parentheses: `P,R_n(B,2),R_n(D,4)` into three.
-fn several_outside<'t>(inner: &'t str, by: &str) -> Option<Vec<&'t str>> {
-    let (mut parts, mut rest) = (Vec::new(), inner);
-    while let Some((part, others)) = split_outside(rest, by) {
-        parts.push(part);
-        rest = others;
-    }
-    parts.push(rest);
-    parts.iter().all(|part| !part.is_empty()).then_some(parts)
-}
-
 impl QuantityName {
     /// Takes a name apart; white space has no meaning in it. `None` if it has none of the known forms.
     #[must_use]
@@ -280,11 +27,11 @@ impl QuantityName {
         let (head, inner, tail) = match compact.split_once('(') {
             Some((word, rest)) => {
                 let (inner, tail) = rest.rsplit_once(')')?;
-                (Head::of(word, true)?, Some(inner), tail)
+                (Head::of_word(word, true)?, Some(inner), tail)
             }
             None => {
                 let (word, tail) = compact.split_at(compact.find('.').unwrap_or(compact.len()));
-                (Head::of(word, false)?, None, tail)
+                (Head::of_word(word, false)?, None, tail)
             }
         };
         let (component, on_paper) = match tail {
@@ -350,16 +97,14 @@ impl QuantityName {
     /// What stands between its parentheses, as `4` of `omega(4)` and `alpha(4)`.
     #[must_use]
     pub fn subject(&self) -> String {
-        self.arguments.join(self.head.separator().unwrap_or_default())
+        self.arguments.join(self.head.form().separator().unwrap_or_default())
     }
 
     /// What stands behind its parentheses, as `.size` or `/mu`.
     #[must_use]
     pub fn tail(&self) -> &'static str {
         match self.component {
-            Some(component) => {
-                Component::TAILS.into_iter().find(|(own, _)| *own == component).map_or("", |(_, tail)| tail)
-            }
+            Some(component) => component.tail(),
             None if self.on_paper => "/mu",
             None => "",
         }
@@ -399,15 +144,15 @@ impl QuantityName {
             is_other |= new.is_some();
             new.map_or_else(|| part.to_owned(), |new| part.replacen(name, &new, 1))
         });
-        let inner = reworded.collect::<Vec<_>>().join(head.separator().unwrap_or_default());
+        let inner = reworded.collect::<Vec<_>>().join(head.form().separator().unwrap_or_default());
         is_other.then(|| format!("{before}({inner}){tail}"))
     }
 }
 
 impl fmt::Display for QuantityName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.head.argument(0) {
-            Argument::Nothing => write!(f, "{}{}", self.head.word(), self.tail()),
+        match self.head.form() {
+            Form::Alone => write!(f, "{}{}", self.head.word(), self.tail()),
             _ => write!(f, "{}({}){}", self.head.word(), self.subject(), self.tail()),
         }
     }

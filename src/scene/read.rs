@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::centers::check_centers;
-use super::choices::{FrameName, Units};
+use super::choices::FrameName;
 use super::digits::Digits;
 use super::error::{SceneError, Source, Wrong};
 use super::figure::{Figure, Movable, check_traced};
@@ -21,6 +21,7 @@ use super::says;
 use super::schema::schema_of;
 use super::text::FileKind;
 use super::typed::{read_as, read_with};
+use super::units::Units;
 use super::value::{NearValue, Vector};
 use super::write::{text_of, write_keys};
 use crate::geometry::Ball;

@@ -1,12 +1,13 @@
 //! In: the text of a file. Out: its typed values, or its first error in plain words, with what to try.
 
-use super::choices::{LengthUnit, Page};
 use super::error::{SceneError, Source, Wrong, nearest, number, shortened, suggestion};
 use super::joint::out_of_scope;
+use super::page::Page;
 use super::reader::{Reader, Refusal, Why};
 use super::says;
 use super::text;
 use super::text::FileKind;
+use super::units::LengthUnit;
 use crate::message::Message;
 use crate::sheet::{Scales, Sheet};
 use jsonc_parser::ast::Value;

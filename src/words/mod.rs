@@ -3,7 +3,7 @@
 //! not here. Errors and warnings are declared where they arise, in the `says.rs` of each folder; `Language::says` puts them
 //! into words.
 //!
-//! `sentences.rs` declares every sentence once, with its named blanks, and gives it a method: the
+//! `sentences/` declares every sentence once, with its named blanks, and gives it a method: the
 //! compiler checks that every blank is filled. What they say, and what errors, warnings and the workbench say, stands in a file for each
 //! language, as `de.ftl`; tests name what a file lacks. Sentences of mistakes are declared where the mistakes are, in
 //! `check/mistakes/`. A sentence is read when it is first said (`fluent.rs`). Symbols stand in `notation.rs`.
@@ -22,7 +22,6 @@ use crate::fluent::{Catalogue, Sentence, english, library_part};
 use crate::message::{Declared, Message};
 use crate::scene::{DecimalMark, Figure, FrameName, LanguageName};
 use crate::sheet::Sheet;
-use sentences::DECLARED;
 use std::sync::OnceLock;
 
 /// All sentences of a language, with a method for each, which [`sentences`] declares.
@@ -86,14 +85,13 @@ impl Language {
         self.catalogue().sentence(key).or_else(|| english().sentence(key))
     }
 
-    /// The words of the declared sentence of that index, which has no blanks.
-    fn words(&self, index: usize) -> &str {
-        self.sentence(DECLARED[index].key).and_then(Sentence::words).unwrap_or_default()
+    /// The words of a sentence without blanks.
+    fn words(&self, key: &str) -> &str {
+        self.sentence(key).and_then(Sentence::words).unwrap_or_default()
     }
 
-    /// The declared sentence of that index with its blanks filled.
-    fn filled(&self, index: usize, by: &[&str]) -> String {
-        let Declared { key, blanks } = DECLARED[index];
+    /// A declared sentence with its blanks filled.
+    fn filled(&self, Declared { key, blanks }: &Declared, by: &[&str]) -> String {
         self.sentence(key).map_or_else(String::new, |sentence| self.catalogue().filled(sentence, blanks, by))
     }
 
@@ -141,14 +139,9 @@ impl Wording {
     #[must_use]
     pub fn title_of(&self, figure: &Figure) -> String {
         let panels = figure.shown_panels();
-        let of_panel = |panel: &Sheet| match panel {
-            Sheet::Centers => Some(self.language.centers()),
-            Sheet::Forces => Some(self.language.force_plan()),
-            Sheet::Lever => Some(self.language.lever()),
-            Sheet::Speeds => Some(self.language.speeds()),
-            Sheet::Scheme | Sheet::Velocity | Sheet::Acceleration => None,
-        };
-        let shown: Vec<&str> = panels.iter().filter_map(of_panel).collect();
+        let is_titled = |panel: &Sheet| panel.order().is_none() && *panel != Sheet::Scheme;
+        let titled = panels.iter().copied().filter(is_titled);
+        let shown: Vec<&str> = titled.map(|panel| self.language.sheet(panel)).collect();
         match panels.iter().any(|panel| panel.order().is_some()) || shown.is_empty() {
             true => self.language.title().to_owned(),
             false => shown.join(", "),

@@ -233,3 +233,29 @@ fn crowded_places_are_shown_larger_beside_the_plan() {
         assert!(small < 2.0 && large > 4.0);
     }
 }
+
+/// `steps` numbers on through the plan of accelerations; sheets end where the figure has no panel for it, and that is told.
+#[test]
+fn steps_without_a_panel_are_told() {
+    use support::program::{kinegon, scratch, stderr};
+    let folder = scratch("steps-without-a-panel");
+    let mut scene: serde_json::Value = serde_json::from_str(&read("templates/four-bar.json")).expect("JSON");
+    let with_panels = solved(&scene.to_string()).expect("a good scene").construction.step_count();
+    scene["figure"] = serde_json::json!({ "panels": ["scheme", "velocity"] });
+    let path = folder.join("scene.json");
+    std::fs::write(&path, scene.to_string()).expect("the scene is written");
+    let listed = kinegon().arg("steps").arg(&path).output().expect("it runs");
+    let listed = String::from_utf8(listed.stdout).expect("UTF-8");
+    assert!(listed.contains(&format!("{with_panels:3}. ")), "{listed}");
+    let draw = |arguments: &[&str]| {
+        let output = kinegon().arg("draw").arg(&path).arg("-o").arg(&folder).args(arguments).output();
+        stderr(&output.expect("it runs"))
+    };
+    let said = draw(&["--upto", "99"]);
+    assert!(said.contains("in the figure's panels") && said.contains("those of the acceleration plan"), "{said}");
+    let said = draw(&["--steps", "--format", "svg"]);
+    assert!(said.contains("no panel for the acceleration plan"), "{said}");
+    scene["want"] = serde_json::json!(["omega(2)"]);
+    std::fs::write(&path, scene.to_string()).expect("the scene is written");
+    assert_eq!(draw(&["--steps", "--format", "svg"]), "", "nobody lists steps of accelerations then");
+}

@@ -39,7 +39,8 @@ use super::step::Action;
 use super::writer::Writer;
 use crate::forces::{Forces, RubbedJoint, Source, driven, rubbing};
 use crate::geometry::{Point, Vector};
-use crate::mechanism::{BodyId, Class, Group, JointId, PointId, SliderId};
+use crate::mechanism::{BodyId, Class, Group, JointId, Mechanism, PointId, SliderId};
+use crate::scene::Head;
 pub use corners::Corner;
 use indexmap::IndexMap;
 use named::WholeForce;
@@ -82,6 +83,14 @@ pub struct LoadShown {
     pub force: Vector,
     /// A couple beside it, counter-clockwise positive.
     pub couple: f64,
+}
+
+impl LoadShown {
+    /// The name of its force as a quantity, `load(F)`.
+    #[must_use]
+    pub fn name(&self, mechanism: &Mechanism) -> String {
+        Head::Load.of(&self.source.name(mechanism, self.body))
+    }
 }
 
 /// What a force is.

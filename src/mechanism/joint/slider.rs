@@ -1,7 +1,7 @@
 //! Sliders: prismatic joints, each with a point of one link on a straight guide of another body.
 
 use super::{AngularConstraint, Joint, Mark};
-use crate::geometry::{Point, Turn, Vector, direction_of_degrees, quarter_turn, turn_of_degrees};
+use crate::geometry::{Point, Turn, Vector, complex_product, direction_of_degrees, quarter_turn, turn_of_degrees};
 use crate::mechanism::shape::direction;
 use crate::mechanism::{Body, BodyId, GROUND, JointId, Mechanism, PointId, Role, SliderId};
 use crate::scene::{self, Along, At, Equivalent, GivenBy, On, Scene, SliderDrive, SlidingName};
@@ -285,7 +285,7 @@ fn guide(mechanism: &Mechanism, slider: &scene::Slider, on: BodyId) -> Guide {
                     _ => None,
                 };
                 let (turn, axis) = (direction_of_degrees(*angle), axis.unwrap_or_else(Vector::x));
-                Guide::Drawn(Vector::new(axis.x * turn.x - axis.y * turn.y, axis.x * turn.y + axis.y * turn.x))
+                Guide::Drawn(complex_product(axis, turn))
             }
         };
     }

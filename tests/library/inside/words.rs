@@ -5,7 +5,7 @@ use kinegon::check::Mistake;
 use kinegon::fluent::Catalogue;
 use kinegon::message::Declared;
 use kinegon::scene::{DecimalMark, LanguageName};
-use kinegon::words::sentences::DECLARED;
+use kinegon::words::sentences;
 use kinegon::words::{Medium, NumberStyle, catalogue_of, with_prime};
 use std::collections::BTreeSet;
 
@@ -203,13 +203,13 @@ fn every_catalogue_says_everything_and_nothing_else() {
     for name in LanguageName::ALL {
         let (catalogue, faults) = Catalogue::read(name.as_str(), catalogue_of(name));
         assert!(faults.is_empty(), "the catalogue of `{}`:\n{}", name.as_str(), faults.join("\n"));
-        for Declared { key, blanks } in DECLARED {
+        for Declared { key, blanks } in sentences::declared() {
             let own = catalogue.sentence(key).unwrap_or_else(|| panic!("{name:?} lacks {key}"));
             assert_eq!(own.blanks(), blanks.iter().copied().collect(), "the blanks of `{key}` in {name:?}");
             assert!(!blanks.is_empty() || own.words().is_some(), "`{key}` in {name:?} chooses words, but has no blank");
         }
         let is_known = |key: &&str| {
-            let sentences = || DECLARED.iter().any(|declared| declared.key == *key);
+            let sentences = || sentences::declared().iter().any(|declared| declared.key == *key);
             key.starts_with("page-")
                 || messages.contains_key(key)
                 || mistakes.iter().any(|known| known == key)

@@ -1,14 +1,14 @@
 //! How a hand reads forces and moments from its force plan or its lever.
 
-use super::force_name::{ArmPoint, ForceOf, LinePart, LoadOf};
-use super::name::{QuantityRequest, Spot, What};
-use super::reading::{Reader, Sense, Unread};
+use super::{Reader, Sense, Unread, measured_as};
 use crate::construction::{
     Along, Construction, Equation, ForceOf as Drawn, ForcePart, LoadShown, MeasuredAs, MomentPoint, NumberId,
     NumberKind, OperationRole, Product,
 };
 use crate::forces::{Driven, Source};
 use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
+use crate::quantity::force_name::{ArmPoint, ForceOf, LinePart, LoadOf};
+use crate::quantity::name::{QuantityRequest, Spot, What};
 use crate::scene::Component;
 use crate::sheet::Sheet;
 
@@ -61,12 +61,7 @@ impl Reader<'_> {
         }
         let place = |name: &String| construction.place(Sheet::Forces, name).ok_or(Unread::NotDrawn);
         let ends = self.drawn([place(&ends[0])?, place(&ends[1])?])?;
-        let (how, sense) = match asked.written.component {
-            Some(Component::X) => (MeasuredAs::X, Sense::Signed),
-            Some(Component::Y) => (MeasuredAs::Y, Sense::Signed),
-            Some(Component::Angle) => (MeasuredAs::Direction, Sense::Angle),
-            Some(Component::Size) | None => (MeasuredAs::Size, Sense::Distance),
-        };
+        let (how, sense) = measured_as(asked.written.component.unwrap_or(Component::Size));
         Ok((self.measure(Sheet::Forces, asked.name(), ends, how), sense))
     }
 
@@ -135,13 +130,10 @@ impl Reader<'_> {
         let found = self.numbers()?.whole.iter().find(|force| force.joint == JointId(joint)).copied();
         let found = found.ok_or(Unread::NotDrawn)?;
         let ends = if found.on == body { found.ends } else { [found.ends[1], found.ends[0]] };
-        let how = match component {
-            Component::Size => return Ok((found.size, Sense::Magnitude)),
-            Component::Angle => MeasuredAs::Direction,
-            Component::X => MeasuredAs::X,
-            Component::Y => MeasuredAs::Y,
-        };
-        let sense = if component == Component::Angle { Sense::Angle } else { Sense::Signed };
+        if component == Component::Size {
+            return Ok((found.size, Sense::Magnitude));
+        }
+        let (how, sense) = measured_as(component);
         let ends = self.drawn(ends)?;
         Ok((self.measure(Sheet::Forces, asked.name(), ends, how), sense))
     }
