@@ -34,7 +34,7 @@ pub enum Direction {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = r#"a direction as { "parallel": "3" }"#)]
 struct DirectionKeys {
     parallel: Option<String>,
     normal: Option<String>,

@@ -228,7 +228,23 @@ impl Search<'_> {
                 other.is_alike = self.scorer.are_alike(&first.best.fit, &other.best.fit, [a, b]);
             }
         }
+        self.least_first(&mut groups);
         groups
+    }
+
+    /// Puts that explanation first that supposes the mistakes of the likeliest at the fewest places, among those that the values cannot tell apart.
+    fn least_first(&self, groups: &mut [Group<'_>]) {
+        let mistakes = |group: &Group<'_>| {
+            let mut all: Vec<Mistake> = group.findings.iter().map(|finding| finding.candidate.mistake()).collect();
+            all.sort_unstable();
+            all
+        };
+        let places = |group: &Group<'_>| -> usize { self.set(&group.best.set).iter().map(|own| own.edits.len()).sum() };
+        let Some(likeliest) = groups.first().map(mistakes) else { return };
+        let alike = groups.iter().enumerate().filter(|(_, group)| group.is_alike && mistakes(group) == likeliest);
+        if let Some((least, _)) = alike.min_by_key(|(_, group)| places(group)) {
+            groups[..=least].rotate_right(1);
+        }
     }
 
     fn is_outside(&self, fit: &Fit, entry: usize) -> bool {

@@ -102,6 +102,7 @@ impl ExerciseCommand {
             let exercise = exercises.next().map_err(|error| Failure::outside(format!("{}: {error}", source.name)))?;
             add_files(&mut files, &exercise, &style, &folder(number))?;
         }
+        exercises.evened().iter().for_each(|changes| note(&changes.to_string()));
         files.finish()
     }
 
@@ -127,6 +128,7 @@ impl ExerciseCommand {
             let question = Question::new(&exercise, &name, &listed, &|key| style.put_on([key]));
             questions.push(question.map_err(|error| Failure::unclear(format!("{source}: {error}")))?);
         }
+        exercises.evened().iter().for_each(|changes| note(&changes.to_string()));
         let written = match lms {
             Lms::Moodle => moodle(name, &questions),
             Lms::Canvas => canvas(&questions),

@@ -8,7 +8,7 @@ use super::step::{LegEquation, RateEquation, Ray, RayOf, Relation, VectorPart, W
 use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, GROUND, JointId, PointId};
 use crate::sheet::{Order, Sheet};
-use crate::words::SlidePart;
+use crate::words::{NumberStyle, SlidePart};
 
 impl Teller<'_> {
     /// The vector equation behind a ray: motion of the sought point relative to the leg's start, or of a further point
@@ -154,6 +154,9 @@ impl Teller<'_> {
             RateEquation::Leg(leg) => self.equation_of_leg(leg),
             RateEquation::Wheel(wheel) => self.equation_of_wheel(wheel),
             RateEquation::Mesh(order, joint) => self.equation_of_mesh(*order, *joint),
+            RateEquation::Rolling(order, joint) => {
+                self.equation_of_rack(*order, *joint).unwrap_or_else(|| self.equation_of_mesh(*order, *joint))
+            }
         }
     }
 
@@ -167,22 +170,30 @@ impl Teller<'_> {
     /// The equation of a mesh with its numbers of teeth: what rests is left out.
     fn equation_of_mesh(&self, order: Order, joint: JointId) -> String {
         let joint = self.mechanism.joint(joint);
-        let (Some(pitch), Some(carrier)) = (joint.pitch, joint.related_bodies().nth(2)) else { return String::new() };
-        let term = |body: BodyId| format!("{}_{{{}}}", order.rate(), self.mechanism.body(body).name);
-        let mut left = String::new();
-        for (wheel, teeth) in joint.bodies.into_iter().zip(pitch.all_teeth).filter(|(wheel, _)| *wheel != GROUND) {
-            left.push_str(match (left.is_empty(), teeth < 0) {
-                (true, false) => "",
-                (true, true) => "−",
-                (false, false) => " + ",
-                (false, true) => " − ",
-            });
-            left.push_str(&format!("{} {}", teeth.abs(), term(wheel)));
-        }
-        let sum: i32 = pitch.all_teeth.iter().sum();
-        let minus = if sum < 0 { "−" } else { "" };
-        let right = if carrier == GROUND { "0".to_owned() } else { format!("{minus}{} {}", sum.abs(), term(carrier)) };
-        format!("{left} = {right}")
+        let teeth = joint.pitch.map(|pitch| pitch.all_teeth).or(joint.belt.map(|belt| belt.teeth));
+        let (Some(teeth), Some(carrier)) = (teeth, joint.related_bodies().nth(2)) else { return String::new() };
+        let wheels = joint.bodies.into_iter().zip(teeth);
+        let left = wheels.map(|(wheel, teeth)| (teeth < 0, self.times(teeth.abs().to_string(), order, wheel)));
+        let sum: i32 = teeth.iter().sum();
+        let right = (sum < 0, self.times(sum.abs().to_string(), order, carrier).filter(|_| sum != 0));
+        format!("{} = {}", signed_sum(left), signed_sum([right]))
+    }
+
+    /// The equation of a wheel on a rack: its radius times its angular rate against the carrier, equal to what slides, with the same for
+    /// accelerations.
+    fn equation_of_rack(&self, order: Order, joint: JointId) -> Option<String> {
+        let joint = self.mechanism.joint(joint);
+        let (rack, angular) = (joint.rack?, joint.angular.as_ref()?);
+        let radius = || self.words.write(rack.radius, NumberStyle::shortest());
+        let turning = angular.terms.iter().rev().map(|&(body, weight)| (weight < 0, self.times(radius(), order, body)));
+        let slides = angular.travel.as_ref()?.slides.iter();
+        let sliding = slides.map(|&(slider, sign)| (sign < 0.0, Some(self.slide(order, SlidePart::Relative, slider))));
+        Some(format!("{} = {}", signed_sum(turning), signed_sum(sliding)))
+    }
+
+    /// The angular rate of a body times a number; none of the frame.
+    fn times(&self, number: String, order: Order, body: BodyId) -> Option<String> {
+        (body != GROUND).then(|| format!("{number} {}_{{{}}}", order.rate(), self.mechanism.body(body).name))
     }
 
     /// The equation of a leg: rates, counter-clockwise positive, times lengths, equal to the measured segment.
@@ -224,4 +235,20 @@ impl Teller<'_> {
         }
         format!("{left} = {}", measured(order.sheet(), from, &image_name(&point.name)))
     }
+}
+
+/// A sum of terms, each with whether it counts as negative; what is not there is left out.
+fn signed_sum(terms: impl IntoIterator<Item = (bool, Option<String>)>) -> String {
+    let mut sum = String::new();
+    for (is_negative, term) in terms {
+        let Some(term) = term else { continue };
+        sum.push_str(match (sum.is_empty(), is_negative) {
+            (true, false) => "",
+            (true, true) => "−",
+            (false, false) => " + ",
+            (false, true) => " − ",
+        });
+        sum.push_str(&term);
+    }
+    if sum.is_empty() { "0".to_owned() } else { sum }
 }

@@ -10,7 +10,7 @@ use super::operation::{LineId, MeasuredAs, OperationRole, PlaceId};
 use super::step::{Action, Arrow, LegEquation, PointRole, RateEquation, Ray, RayOf, Relation, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn};
-use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, Carried, GROUND, Group, JointId, LoopEquations, PointId, Role, SliderId};
 use crate::sheet::{Order, Sheet};
 use core::cmp::Reverse;
 
@@ -157,6 +157,10 @@ impl Writer<'_> {
         for terms in &equations.angular {
             rows.push(self.angular_equation(order, terms)?);
         }
+        // Without an angular acceleration that is given there is none.
+        if drawn.is_empty() && rows.iter().any(|row| !row.right.is_empty()) {
+            written.extend(self.rolling_in(group).map(|joint| RateEquation::Rolling(order, joint)));
+        }
         let unknown = self.unknown_rates(order, group, equations);
         // Links with one angular rate have one unknown: it has the name of the last of them. A block that is only a pin has no
         // name, and turns with its guide.
@@ -168,7 +172,7 @@ impl Writer<'_> {
         let step = self.begin(order);
         let kinds = rates.iter().copied().map(NumberKind::Rate).collect();
         let numbers = self.solve(order, kinds, rows)?;
-        // Rates that follow from relations between angles alone are computed without a step.
+        // Rates that follow from constant angles alone are computed without a step.
         if !written.is_empty() {
             let solved = |&(_, rate): &(usize, Rate)| (rate.name(self.mechanism), self.computed_rate(rate)[0]);
             let unknowns = named.iter().map(solved).collect();
@@ -176,6 +180,15 @@ impl Writer<'_> {
         }
         self.note_rates(&unknown, &numbers);
         Some(())
+    }
+
+    /// The meshes, racks and belts of a group.
+    fn rolling_in<'g>(&self, group: &'g Group) -> impl Iterator<Item = JointId> + use<'g, '_> {
+        let mechanism = self.mechanism;
+        group.joints.iter().copied().filter(move |&joint| {
+            let own = mechanism.joint(joint);
+            own.rolls() || own.belt.is_some()
+        })
     }
 
     /// Notes the image of a dyad's inner joint: it is the image of a pin for both links, of a slider's point for its

@@ -98,7 +98,7 @@ pub use sentence::{PlanVector, Teller};
 pub(crate) use solution::asked_construction;
 pub(crate) use solution::force_polygons;
 pub use solution::{Solution, construct};
-pub use speeds::{PitchCircle, SpeedDiagram, SpeedLine, SpeedSpot, SpeedStep, SpotName};
+pub use speeds::{BeltLine, PitchCircle, PitchLine, SpeedDiagram, SpeedLine, SpeedSpot, SpeedStep, SpotName};
 pub use step::{
     Action, Arrow, LegEquation, NOTHING, NumberedStep, Plan, PlanPoint, PointRole, RateEquation, Ray, RayOf, Relation,
     VectorOf, VectorPart, WheelEquation,

@@ -118,6 +118,7 @@ impl<'a> Teller<'a> {
                 match equations.first() {
                     Some(RateEquation::Wheel(_)) if equations.len() > 1 => language.solve_wheel_with_mesh(&names),
                     Some(RateEquation::Wheel(_)) => language.solve_wheel(&names),
+                    Some(RateEquation::Rolling(..)) => language.solve_rims(&names),
                     Some(RateEquation::Mesh(Order::Velocity, _)) => language.solve_meshes(&names),
                     Some(RateEquation::Mesh(Order::Acceleration, _)) => language.solve_meshes_accelerated(&names),
                     _ => language.solve(&names),

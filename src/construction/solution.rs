@@ -114,7 +114,8 @@ impl Solution {
         let off = self.off_guides().map(|message| language.says(&message));
         let found = found.into_iter().flatten().map(|warning| language.says(warning)).chain(off);
         let is_asked = self.scene.figure.shown_panels().contains(&Sheet::Speeds);
-        let speeds = Teller::new(self, &own).missing_of_speeds(is_asked).map(|sentence| plain_text(&sentence));
+        let speeds = Teller::new(self, &own).missing_of_speeds(is_asked).into_iter();
+        let speeds = speeds.map(|sentence| plain_text(&sentence));
         found.chain(without).chain(centers).chain(speeds).chain(friction)
     }
 }

@@ -235,6 +235,8 @@ pub enum RateEquation {
     Wheel(WheelEquation),
     /// That of a mesh, z₁ ω₁ + z₂ ω₂ = (z₁ + z₂) ω_carrier, or the same for angular accelerations.
     Mesh(Order, JointId),
+    /// One speed where two wheels, or a wheel and its rack, touch, or at the rims of wheels with a belt.
+    Rolling(Order, JointId),
 }
 
 /// The equation of a measured segment between the images of two points of a wheel or an arm: its angular velocity times their distance.

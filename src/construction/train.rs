@@ -10,7 +10,7 @@ use super::number::{End, Equation, NumberId, NumberKind, Product, ProductKind, R
 use super::operation::{Along, MeasuredAs, OperationRole, PlaceId};
 use super::step::{Action, Arrow, PointRole, RateEquation, VectorOf, VectorPart, WheelEquation};
 use super::writer::Writer;
-use crate::mechanism::{BodyId, GROUND, Group, JointId, LoopEquations, Mechanism, PointId};
+use crate::mechanism::{BodyId, GROUND, Group, Joint, JointId, LoopEquations, Mechanism, PointId};
 use crate::sheet::{Order, Sheet};
 
 /// Most equations that are solved together by hand.
@@ -69,13 +69,39 @@ pub(super) fn pitch_points(mechanism: &Mechanism) -> impl Iterator<Item = (Joint
 
 /// The name of the pitch point of a mesh by its wheels, as P23, the frame's being 0; of wheels with longer names by the number of the mesh.
 fn pitch_name(mechanism: &Mechanism, joint: JointId) -> String {
-    let name = |body: BodyId| if body == GROUND { "0" } else { mechanism.body(body).name.as_str() };
-    let mut wheels = mechanism.joint(joint).bodies.map(name);
-    wheels.sort_unstable_by_key(|name| (*name == "0", *name));
+    let mut wheels = mechanism.joint(joint).bodies;
+    wheels.sort_unstable_by_key(|body| (*body == GROUND, mechanism.body(*body).name.as_str()));
     let is_pitch = |id: &usize| mechanism.joints[*id].pitch.is_some();
+    name_by_wheels(mechanism, ("P", wheels), || (0..=joint.0).filter(is_pitch).count())
+}
+
+/// The name of where the first or the second wheel of a pair touches: the pitch point of a mesh, or of a wheel and its rack, as P23, or the rim of
+/// a wheel with a belt, as R23 on wheel 2 and R32 on wheel 3.
+pub(super) fn name_of_touch(mechanism: &Mechanism, joint: JointId, side: usize) -> String {
+    let own = mechanism.joint(joint);
+    let count = |is: fn(&Joint) -> bool, to: usize| mechanism.joints[..to].iter().filter(|joint| is(joint)).count();
+    match (own.rack, own.belt) {
+        (Some(_), _) => {
+            let all = count(|joint| joint.pitch.is_some(), mechanism.joints.len());
+            let mut wheels = own.bodies;
+            wheels.sort_unstable_by_key(|body| (*body == GROUND, mechanism.body(*body).name.as_str()));
+            name_by_wheels(mechanism, ("P", wheels), || all + count(|joint| joint.rack.is_some(), joint.0 + 1))
+        }
+        (_, Some(_)) => {
+            let wheels = [own.bodies[side], own.bodies[1 - side]];
+            let number = || 2 * count(|joint| joint.belt.is_some(), joint.0) + side + 1;
+            name_by_wheels(mechanism, ("R", wheels), number)
+        }
+        _ => pitch_name(mechanism, joint),
+    }
+}
+
+/// A letter with the names of two wheels, the frame's being 0; with a number where one has a longer name.
+fn name_by_wheels(mechanism: &Mechanism, (letter, wheels): (&str, [BodyId; 2]), number: impl Fn() -> usize) -> String {
+    let wheels = wheels.map(|body| if body == GROUND { "0" } else { mechanism.body(body).name.as_str() });
     let mut told = match wheels.iter().all(|name| name.chars().count() == 1) {
-        true => format!("P{}", wheels.concat()),
-        false => format!("P{}", (0..=joint.0).filter(is_pitch).count()),
+        true => format!("{letter}{}", wheels.concat()),
+        false => format!("{letter}{}", number()),
     };
     while mechanism.point(&told).is_some() {
         told.push('\'');

@@ -4,6 +4,7 @@
 use super::dims::Dims;
 use super::facts::Facts;
 use super::held_layout::Pane;
+use super::speeds::SpeedScales;
 use super::text::RichText;
 use super::view::Series;
 use crate::centers::{LinkPair, link_in_index};
@@ -49,6 +50,8 @@ pub(super) struct Surface {
     pub mu: Scales,
     /// The scales on paper, where the sheet is not for paper: words of steps tell lengths at these.
     pub told: Option<Scales>,
+    /// The scales of a speed diagram that stand still while its mechanism moves.
+    pub speeds: Option<SpeedScales>,
     /// Whether crowds of points are drawn again, larger, in a circle: in a film that would come and go.
     pub details: bool,
 }
@@ -72,7 +75,15 @@ impl Surface {
             Purpose::Figure if !figure.worksheet => Series::Ruler,
             _ => Series::Hand,
         };
-        Surface { page, dims: Dims::on_page(page, figure), series, mu: figure.mu, told: None, details: true }
+        Surface {
+            page,
+            dims: Dims::on_page(page, figure),
+            series,
+            mu: figure.mu,
+            told: None,
+            speeds: None,
+            details: true,
+        }
     }
 
     /// A part of a screen for the same figure.

@@ -183,7 +183,7 @@ impl Sharing<'_> {
             Division::Panel(index) => {
                 let needs = &self.needs[*index];
                 let width = needs.least_width();
-                if down { needs.header(width) + LEAST + needs.white } else { width }
+                if down { needs.header(width) + LEAST + needs.white + needs.below } else { width }
             }
             Division::Parts { down: own, parts } => {
                 let [a, b] = parts.each_ref().map(|part| self.narrowest(part, down));

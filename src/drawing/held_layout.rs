@@ -9,6 +9,7 @@ use super::laid_out::{Contents, LaidOut, composed, described};
 use super::layout::{Layout, Needs, Placed};
 use super::panel::{Extents, cycle_of, cycles_of, extents_in, positions_of_each};
 use super::sheet::Drawing;
+use super::speeds::{SpeedScales, scales_in};
 use super::values::is_hidden;
 use super::view::{Extent, Series, View};
 use crate::construction::{Plan, Solution, shown_text};
@@ -180,7 +181,8 @@ impl HeldLayout {
         if has_words && context.surface.series == Series::Any {
             context.surface.told = Some(sheets.scales());
         }
-        let context = with_modes(context, modes);
+        let mut context = with_modes(context, modes);
+        context.surface.speeds = speed_scales(own, cycles);
         let extents = extents_in(&context, cycles);
         let positions = cycles.iter().flat_map(|cycle| cycle.positions.iter().step_by(WORDS_OF));
         let heights = positions.filter(|_| has_words).map(|position| {
@@ -196,7 +198,9 @@ impl HeldLayout {
     pub(super) fn of_film(own: &Solution, drive: Option<&str>) -> HeldLayout {
         let mut context = FigureSheets::new(own).unscaled();
         (context.surface.series, context.surface.details) = (Series::Any, false);
-        let extents = extents_in(&context, cycle_of(own, drive));
+        let cycle = cycle_of(own, drive);
+        context.surface.speeds = speed_scales(own, cycle.as_slice());
+        let extents = extents_in(&context, cycle);
         HeldLayout::new(context, extents, Contents { moving: true, ..Contents::default() }, 0.0)
     }
 
@@ -213,7 +217,10 @@ impl HeldLayout {
         HeldLayout::of(LaidOut { context, extents, contents, layout })
     }
 
-    fn of(LaidOut { context, extents, contents, layout }: LaidOut<'_>) -> HeldLayout {
+    fn of(LaidOut { mut context, extents, contents, layout }: LaidOut<'_>) -> HeldLayout {
+        if context.surface.speeds.is_none() {
+            context.surface.speeds = speed_scales(context.solution, &[]);
+        }
         HeldLayout {
             cycle: layout.panels.clone(),
             layout,
@@ -379,6 +386,12 @@ impl HeldLayout {
     fn enlarged(&self) -> Affine {
         Affine::scale(self.layout.panels.first().map_or(1.0, |placed| placed.unit))
     }
+}
+
+/// The scales of the speed diagram of a mechanism in its own position and in those of cycles.
+fn speed_scales(own: &Solution, cycles: &[Animation]) -> Option<SpeedScales> {
+    let positions = cycles.iter().flat_map(|cycle| &cycle.positions);
+    scales_in(std::iter::once(own).chain(positions).map(|position| &position.construction))
 }
 
 /// The place of a panel on the way from one to another.

@@ -45,6 +45,8 @@ pub(super) struct Needs {
     pub scale: f64,
     /// Further white between heading and content, in mm.
     pub above: f64,
+    /// Further white below the content, in mm.
+    pub below: f64,
     /// Rows below the heading for the names that have no room.
     pub rows: usize,
     /// The scale that is given, in units per mm of paper.
@@ -65,7 +67,19 @@ impl Needs {
     pub(super) fn usual(sheet: Sheet, extent: Extent, heading: f64) -> Needs {
         let white = WHITE[usize::from(sheet.order().is_none())];
         let weight = Needs::weight_of(sheet);
-        Needs { sheet, extent, heading, scale: 0.0, above: 0.0, rows: 0, mu: None, white, weight, is_part: false }
+        Needs {
+            sheet,
+            extent,
+            heading,
+            scale: 0.0,
+            above: 0.0,
+            below: 0.0,
+            rows: 0,
+            mu: None,
+            white,
+            weight,
+            is_part: false,
+        }
     }
 
     /// How much the size of a sheet's content counts beside that of others: the figure of centres shows what the scheme shows, with lines and names among it.
@@ -117,13 +131,14 @@ impl Needs {
         let size = self.size().map(|size| size / mu);
         let beside = if is_wide { self.heading + self.scale } else { 0.0 };
         let width = (size[0] + 2.0 * self.white).max(self.least_width()).max(beside);
-        [width + ROUNDING, self.header(width) + size[1] + self.white + ROUNDING]
+        [width + ROUNDING, self.header(width) + size[1] + self.white + self.below + ROUNDING]
     }
 
     /// The finest scale at which the content fits into a frame, in units per unit of the layout.
     pub(super) fn fitting(&self, [width, height]: [f64; 2]) -> f64 {
         let size = self.size();
-        let room = [width - 2.0 * self.white, height - self.header(width) - self.white].map(|room| room.max(0.1));
+        let room =
+            [width - 2.0 * self.white, height - self.header(width) - self.white - self.below].map(|room| room.max(0.1));
         (size[0] / room[0]).max(size[1] / room[1])
     }
 }
@@ -153,7 +168,8 @@ impl Placed {
 
     /// A panel in a frame at a scale.
     fn new(needs: &Needs, frame: Rect, mu: f64, unit: f64) -> Placed {
-        let area = Rect { y0: frame.y0 + needs.header(frame.width()), ..frame.inset(-needs.white) };
+        let inner = frame.inset(-needs.white);
+        let area = Rect { y0: frame.y0 + needs.header(frame.width()), y1: inner.y1 - needs.below, ..inner };
         Placed { needs: *needs, frame, area, mu, unit }
     }
 

@@ -298,6 +298,7 @@ pub(super) fn plan_extent(sheet: Sheet, construction: &Construction, details: Co
 fn above(context: &SheetContext<'_>, sheet: Sheet) -> f64 {
     match sheet {
         Sheet::Speeds => speeds::ABOVE,
+        Sheet::Forces => scheme::above(context).max(forces::ABOVE),
         Sheet::Velocity | Sheet::Acceleration => 0.0,
         _ => scheme::above(context),
     }
@@ -318,6 +319,7 @@ pub(super) fn panels<'a>(
         };
         let needs = Needs {
             above: above(context, sheet),
+            below: if sheet == Sheet::Speeds { speeds::below(context) } else { 0.0 },
             mu: context.surface.mu[sheet],
             weight: if context.figure().focus.is_some_and(|focus| focus != sheet) {
                 COMPANION

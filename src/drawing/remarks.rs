@@ -115,7 +115,8 @@ pub(super) fn sentence_on_paths(context: &SheetContext<'_>) -> Option<String> {
     let contacts = contacts_told(context.mechanism(), &context.words, &shown).into_iter();
     let off = context.solution.off_guides().map(|message| sentence(&context.words.language.says(&message)));
     let engaged = told_engagement(context.solution, &context.words, Medium::Figure);
-    let told = contacts.chain(off).chain(engaged).chain(friction(context));
+    let turned = context.teller().turned_in_speeds(&shown);
+    let told = contacts.chain(off).chain(engaged).chain(friction(context)).chain(turned);
     let all = told.chain(ticks(context)).chain(centrodes(context)).chain(inflection(context));
     let all: Vec<String> = all.collect();
     (!all.is_empty()).then(|| all.join(" "))

@@ -1,5 +1,6 @@
 //! Tries random variants of a scene until one is an exercise.
 
+use super::even::evened;
 use super::forces;
 use super::judge::{Exercise, Refusal, key_page};
 use super::says;
@@ -101,6 +102,10 @@ pub struct Exercises {
     seen: BTreeSet<String>,
     /// Whether their forms ask for all arms.
     has_arms: bool,
+    /// How the scene's loads were made more alike.
+    evened: Option<String>,
+    /// Whether nobody has chosen the size of the sheets.
+    is_page_open: bool,
 }
 
 impl Exercises {
@@ -143,6 +148,8 @@ impl Exercises {
             number: 0,
             seen: BTreeSet::new(),
             has_arms: false,
+            evened: None,
+            is_page_open,
         };
         if is_page_open && exercises.lacks_room() {
             exercises.figure.page.size = PageSize::A3;
@@ -172,17 +179,54 @@ impl Exercises {
     #[expect(clippy::should_implement_trait, reason = "there is no end to iterate to")]
     pub fn next(&mut self) -> Result<Exercise, ExerciseError> {
         self.number += 1;
-        let mut refused: BTreeMap<Refusal, usize> = BTreeMap::new();
         let tries = self.tries;
-        for _ in 0..tries {
-            match self.variant() {
+        let mut refused = match self.try_variants() {
+            Ok(exercise) => return Ok(exercise),
+            Err(refused) => refused,
+        };
+        let is_unequal =
+            refused.iter().max_by_key(|(_, count)| **count).is_some_and(|(most, _)| *most == Refusal::ForcesUnequal);
+        if is_unequal && self.even() {
+            match self.try_variants() {
                 Ok(exercise) => return Ok(exercise),
-                Err(refusal) => *refused.entry(refusal).or_default() += 1,
+                Err(again) => refused = again,
             }
         }
         let (most, count) = refused.into_iter().max_by_key(|(_, count)| *count).unwrap_or((Refusal::Numbers, tries));
         let percent = (100 * count + tries / 2) / tries;
         Err(ExerciseError::GaveUp { tries, most, percent, unequal: self.unequal.clone() })
+    }
+
+    /// A variant that is an exercise; else how often each refusal was met.
+    fn try_variants(&mut self) -> Result<Exercise, BTreeMap<Refusal, usize>> {
+        let mut refused: BTreeMap<Refusal, usize> = BTreeMap::new();
+        for _ in 0..self.tries {
+            match self.variant() {
+                Ok(exercise) => return Ok(exercise),
+                Err(refusal) => *refused.entry(refusal).or_default() += 1,
+            }
+        }
+        Err(refused)
+    }
+
+    /// Makes the loads of the scene more alike, once; whether it has.
+    fn even(&mut self) -> bool {
+        if self.evened.is_some() {
+            return false;
+        }
+        let Some((base, told)) = evened(&self.base, &self.on_guides, &self.figure) else { return false };
+        (self.base, self.evened) = (base, Some(told));
+        if self.is_page_open && self.lacks_room() {
+            self.figure.page.size = PageSize::A3;
+        }
+        true
+    }
+
+    /// How the loads of the scene were changed, because some forces are too small beside others to be drawn with them, in symbols: `m_2 × 4, g = 0`. `None`
+    /// where they were not.
+    #[must_use]
+    pub fn evened(&self) -> Option<Message> {
+        self.evened.as_ref().map(says::evened)
     }
 
     /// A random variant, if it is an exercise.

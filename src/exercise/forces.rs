@@ -68,7 +68,7 @@ pub(super) fn are_constructed(construction: &Construction) -> Result<(), Refusal
     }
 }
 
-/// Whether all forces and arms are long enough on paper, and no force much larger than another.
+/// Whether all forces and arms are long enough on paper.
 pub(super) fn are_clear(construction: &Construction, scales: &Scales) -> Result<(), Refusal> {
     let Some(plan) = construction.forces.as_deref() else { return Ok(()) };
     let mut arms: Vec<(f64, Sheet)> = Vec::new();
@@ -90,14 +90,27 @@ pub(super) fn are_clear(construction: &Construction, scales: &Scales) -> Result<
     }
     let most = forces.iter().copied().fold(0.0, f64::max);
     let there = || forces.iter().copied().filter(|force| *force > ZERO * most);
-    if there().any(|force| force * RATIO < most) {
-        return Err(Refusal::ForcesUnequal);
-    }
     match scales[Sheet::Forces] {
         Some(mu) if there().any(|force| force < FORCE * mu) => Err(Refusal::ForceShort),
         None if most > 0.0 => Err(Refusal::Sheet),
         _ => Ok(()),
     }
+}
+
+/// Whether no force of the polygons is much larger than another.
+pub(super) fn are_alike(construction: &Construction) -> Result<(), Refusal> {
+    match ratio(construction) {
+        Some(ratio) if ratio > RATIO => Err(Refusal::ForcesUnequal),
+        _ => Ok(()),
+    }
+}
+
+/// The largest force of the polygons over the smallest that is there; `None` without any.
+pub(super) fn ratio(construction: &Construction) -> Option<f64> {
+    let plan = construction.forces.as_deref().filter(|_| construction.by_hand.contains(&Sheet::Forces))?;
+    let sizes = || plan.polygons.iter().flat_map(|polygon| &polygon.sides).map(|side| side.vector.norm());
+    let most = sizes().fold(0.0, f64::max);
+    sizes().filter(|size| *size > ZERO * most).reduce(f64::min).map(|least| most / least)
 }
 
 /// The symbols of the smallest and the largest force of a scene's polygons, where these are too unequal; of small ones a load, if one is:

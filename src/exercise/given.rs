@@ -1,7 +1,8 @@
 //! Masses and loads as the sheet of a student gives them.
 
 use super::sheets::Teller;
-use crate::construction::{Solution, display};
+use crate::construction::{LoadShown, Solution, display};
+use crate::forces::Source;
 use crate::quantity::{Quantity, QuantityKind};
 use crate::scene::{Amount, Analysis, ForceUnit, MassUnit};
 use crate::sheet::Sheet;
@@ -47,11 +48,19 @@ impl Teller<'_> {
         }
         for (index, load) in loads.loads.iter().enumerate() {
             let name = display(&load.name);
-            if load.force != [0.0; 2] {
-                told.push(self.force(&name, load.force, &file["forces"][index]["force"]));
+            // What changes over the motion is given as it is in this position.
+            let (force, couple, written) = match &load.over {
+                Some(_) => {
+                    let Some(acting) = plan_load(solution, index) else { continue };
+                    (acting.force.map(four_digits).into(), four_digits(acting.couple), &Value::Null)
+                }
+                None => (load.force, load.couple, &file["forces"][index]["force"]),
+            };
+            if force != [0.0; 2] {
+                told.push(self.force(&name, force, written));
             }
-            if load.couple != 0.0 {
-                told.push(self.value(&name, load.couple, QuantityKind::Moment));
+            if couple != 0.0 {
+                told.push(self.value(&name, couple, QuantityKind::Moment));
             }
         }
         told
@@ -85,4 +94,15 @@ impl Teller<'_> {
             _ => format!("{name} = {} {unit}", self.pair(force)),
         }
     }
+}
+
+/// A given load as it acts in the position.
+fn plan_load(solution: &Solution, index: usize) -> Option<&LoadShown> {
+    let plan = solution.construction.forces.as_deref()?;
+    plan.loads.iter().find(|load| load.source == Source::Given(index))
+}
+
+/// A number rounded to four digits, which no hand can tell from all of them.
+fn four_digits(x: f64) -> f64 {
+    format!("{x:.3e}").parse().unwrap_or(x)
 }

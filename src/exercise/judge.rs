@@ -147,6 +147,7 @@ impl Exercise {
             return Err(Refusal::Singular);
         }
         crosses_well(&solution.construction)?;
+        forces::are_alike(&solution.construction)?;
         // Whether a variant is an exercise does not hang on what it asks for.
         let names = names_to_ask(&solution, has_arms);
         let further = names.iter().filter(|name| is_arm(name)).cloned();

@@ -4,7 +4,7 @@
 //! conditions.
 //!
 //! In reading order: `vary` finds the numbers of a scene file and replaces them, `teeth` those of wheels, `judge` accepts or refuses a variant,
-//! `asked` chooses the values that it asks for, `find` looks for accepted ones, `sheets` writes what stands on the sheets of a student and of a teacher, also for a scene
+//! `asked` chooses the values that it asks for, `even` makes loads alike that are too unequal to be drawn, `find` looks for accepted ones, `sheets` writes what stands on the sheets of a student and of a teacher, also for a scene
 //! as it stands, `key` the values for the teacher. Nothing is read or written here.
 //!
 //! # An exercise is a scene that passes an examination
@@ -15,6 +15,7 @@
 
 mod asked;
 mod centers;
+mod even;
 mod find;
 mod forces;
 mod given;

@@ -25,6 +25,7 @@ messages! { "exercise":
     forces_unequal;
     forces_unequal_as(small, large);
     force_unsure;
+    evened(changes);
     same;
     numbered(most);
     no_such;

@@ -1,8 +1,9 @@
 //! What acts on the links besides their joints: weights, inertia, given forces and couples, springs.
 
 use super::{Counted, Posed};
-use crate::geometry::{Ball, Pair, Solvable};
+use crate::geometry::{Ball, Pair, Point, Solvable, Vector, quarter_turn, unit};
 use crate::mechanism::{BodyId, GROUND, JointId, Mechanism, PointId, SliderId};
+use crate::position::Pose;
 use crate::scene::{
     Amount, Analysis, Friction, Gauge, GivenBy, Grip, LinkPlace, Load, Mass, Over, RubbingJoint, Spring, SpringEnd,
 };
@@ -174,6 +175,21 @@ enum Spot {
     Local(PointId, [f64; 2]),
 }
 
+impl Spot {
+    /// Where it is, rounded.
+    fn at(self, mechanism: &Mechanism, pose: &Pose, body: BodyId) -> Point {
+        match self {
+            Spot::Point(point) => pose.point(point),
+            Spot::Fixed(place) => place.into(),
+            Spot::Local(point, place) => {
+                let axis = pose.axes[body.0].and_then(unit).unwrap_or_default();
+                let arm = Point::from(place) - mechanism.local(body, point);
+                pose.point(point) + axis * arm.x + quarter_turn(axis) * arm.y
+            }
+        }
+    }
+}
+
 /// What a load changes over.
 #[derive(Clone, Copy, Debug)]
 enum Changing {
@@ -194,6 +210,26 @@ pub(crate) fn rubbed_joints(mechanism: &Mechanism) -> Vec<JointId> {
     let loads = mechanism.loads.iter().map(|loads| &loads.0);
     let all = loads.flat_map(|loads| &loads.friction).flat_map(|friction| rubbed(mechanism, friction));
     all.map(|(joint, _)| joint).collect()
+}
+
+/// The ends of the springs, each with its body.
+pub(crate) fn spring_ends(mechanism: &Mechanism, pose: &Pose) -> Vec<[(BodyId, Point); 2]> {
+    let springs = LoadList::new(mechanism).map_or_else(Vec::new, |list| list.springs);
+    springs.into_iter().map(|spring| spring.ends.map(|(body, spot)| (body, spot.at(mechanism, pose, body)))).collect()
+}
+
+/// The places where loads act on links and springs end, and the corners around the circles of friction.
+pub(crate) fn places_of_loads(mechanism: &Mechanism, pose: &Pose) -> Vec<Point> {
+    let Some(list) = LoadList::new(mechanism) else { return Vec::new() };
+    let masses = list.masses.iter().map(|mass| (mass.body, mass.center));
+    let given = list.given.iter().map(|load| (load.body, load.at));
+    let ends = list.springs.iter().flat_map(|spring| spring.ends);
+    let acting = masses.chain(given).chain(ends).map(|(body, spot)| spot.at(mechanism, pose, body));
+    let circles = friction_circles(mechanism).into_iter().flat_map(|(pin, radius)| {
+        let arm = Vector::new(radius, radius);
+        [pose.point(pin) - arm, pose.point(pin) + arm]
+    });
+    acting.chain(circles).collect()
 }
 
 /// The pins with friction, and the radii of their circles of friction, r sin φ.

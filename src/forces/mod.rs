@@ -39,7 +39,7 @@ pub mod says;
 
 use acting::LoadList;
 pub use acting::Source;
-pub(crate) use acting::{center, friction_circles, rubbed_joints};
+pub(crate) use acting::{center, friction_circles, places_of_loads, rubbed_joints, spring_ends};
 pub use carried::{Agreement, Drive, Forces};
 pub use compiled::Compiled;
 pub(crate) use equilibrium::{driven, own_joint};

@@ -151,6 +151,7 @@ write_keys!(SpringFile { name, between, rate, length });
 
 /// An end of a spring in the file: a link or "ground", and a place of it.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(expecting = r#"an end of a spring as ["3", "C"], a link and a place on it"#)]
 #[schemars(rename = "springEnd")]
 pub(super) struct EndFile(String, LinkPlace);
 

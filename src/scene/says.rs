@@ -287,6 +287,7 @@ messages! { "scene":
     teeth_of_pinion(most);
     no_radius(radius);
     give_radius;
+    give_larger_radius(least);
     radius_without_rack;
     position_without_rack;
     give_phase;

@@ -91,6 +91,8 @@ sentences! {
     solve_wheel_with_mesh(unknowns);
     solve_meshes(unknowns);
     solve_meshes_accelerated(unknowns);
+    /// Of racks and belts.
+    solve_rims(unknowns);
     pitch_at_rest(image, with);
     lay_off_pitch(link, point, from, arm);
     lay_off_pitch_turned(link, point, from, arm);
@@ -196,6 +198,14 @@ sentences! {
     speeds_line(link, from, to);
     speeds_pole;
     speeds_ray(link, rate);
+    /// Of a rack or a carriage.
+    speeds_slides(link, at);
+    speeds_slides_given(link, at);
+    speeds_belt(from, to);
+    /// Of centres off the line.
+    speeds_turned(points);
+    /// Of a belt whose wheels have no radius.
+    speeds_unsized_belt(first, second);
     /// Of a scene without meshes.
     speeds_none;
     /// Of meshes whose centres lie on another line.

@@ -135,6 +135,7 @@ mod scene_read;
 mod singular;
 mod sizes;
 mod speeds;
+mod springs;
 mod stage;
 mod step_names;
 mod students;

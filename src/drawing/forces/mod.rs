@@ -6,6 +6,7 @@ use super::canvas::{Canvas, Wanted};
 use super::clip::clipped_segment;
 use super::context::SheetContext;
 use super::labels::LabelRequest;
+use super::layout::ROW;
 use super::shape::{Shape, around};
 use super::sheet::Pen;
 use super::text::RichText;
@@ -19,6 +20,8 @@ use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
 use kurbo::{Point, Vec2};
 
+/// White below the heading for the name of the uppermost polygon, in mm.
+pub(super) const ABOVE: f64 = ROW;
 /// Length of a direction beyond the ends of its side, in mm.
 const BEYOND: f64 = 5.0;
 
@@ -198,9 +201,9 @@ impl PolygonsOnPaper<'_> {
         canvas.step = first;
         let text = RichText::plain(&self.context.teller().links_in_words(&polygon.links));
         let at = Point::new(around.center().x, around.y0);
-        let request = LabelRequest { priority: 0, ..LabelRequest::new(text, at, 4.0, Some(Vec2::new(0.0, -1.0)), 0) };
+        let request = LabelRequest::new(text, at, 4.0, Some(Vec2::new(0.0, -1.0)), 3);
         let wanted = Wanted::new(format!("links-{}", number + 1), request);
-        canvas.request_label(Wanted { pen: Pen::Caption, optional: true, last: true, ..wanted });
+        canvas.request_label(Wanted { pen: Pen::Caption, optional: true, ..wanted });
     }
 }
 

@@ -14,7 +14,7 @@ use crate::drawing::text::RichText;
 use crate::drawing::view::{on_sheet, towards};
 use crate::forces::{Source, friction_circles};
 use crate::geometry;
-use crate::mechanism::{BodyId, JointId, Role};
+use crate::mechanism::{BodyId, GROUND, JointId, Role};
 use kurbo::{Point, Vec2};
 
 /// Length of a load's arrow, in mm; that of weights and inertia forces is shorter.
@@ -48,6 +48,8 @@ impl SchemeOnPaper<'_> {
         let is_shown = |load: &LoadShown| match load.source {
             Source::Inertia => !is_for_students,
             Source::Friction(joint) => self.mechanism.joint(joint).rubbed() == load.body,
+            // What it does to the frame shows in the spring.
+            Source::Spring(_) => load.body != GROUND,
             _ => true,
         };
         all.retain(|(_, load)| is_shown(load));

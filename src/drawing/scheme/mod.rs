@@ -1,4 +1,4 @@
-//! The scheme of the mechanism. From back to front: ghosts, areas, paths of points, cut lines, guides, the ground, links, blocks with the links
+//! The scheme of the mechanism. From back to front: ghosts, areas, paths of points, cut lines, guides, the ground, springs, links, blocks with the links
 //! on their pins, joints, special points, labels.
 
 pub(super) mod centrodes;
@@ -10,9 +10,11 @@ pub(super) mod on_paper;
 mod points;
 mod rack;
 pub(super) mod sliders;
+mod springs;
 mod values;
 mod wheels;
 
+pub(super) use rack::{hatch_line, tangents};
 pub(super) use sliders::{BLOCK, above};
 pub(super) use wheels::hatch_rim;
 
@@ -47,6 +49,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     }
     scheme.wheels(canvas);
     scheme.contacts(canvas);
+    scheme.springs(canvas);
     scheme.link_lines(canvas);
     scheme.slide_arrows(canvas);
     for slider in scheme.sliders() {

@@ -8,6 +8,7 @@ use crate::drawing::dims::Dims;
 use crate::drawing::grid::Grid;
 use crate::drawing::shape::{Shape, around};
 use crate::drawing::view::{Extent, View, on_sheet, towards};
+use crate::forces::places_of_loads;
 use crate::geometry::{self, cross, hull, span};
 use crate::mechanism::{BodyId, GROUND, Mark, Mechanism, PointId};
 use crate::position::Pose;
@@ -263,7 +264,7 @@ fn reached(context: &SheetContext<'_>, special: &Special) -> Option<geometry::Po
     Some(start + (place - start).normalize() * (ARROW * size))
 }
 
-/// The points of a position, the ends of guides on the ground, and the corners around circles: what does not depend on the figure.
+/// The points of a position, the ends of guides on the ground, and the corners around circles, where loads act: what does not depend on the figure.
 pub(in crate::drawing) fn places(solution: &Solution) -> impl Iterator<Item = geometry::Point> {
     let (mechanism, pose) = (&solution.mechanism, &solution.pose);
     let circles = circles(mechanism, pose).flat_map(|(center, radius)| {
@@ -271,7 +272,7 @@ pub(in crate::drawing) fn places(solution: &Solution) -> impl Iterator<Item = ge
         [center - arm, center + arm]
     });
     let points = pose.points.iter().copied().chain(guide_ends(mechanism, pose)).chain(circles);
-    points.chain(contacts::places(solution))
+    points.chain(contacts::places(solution)).chain(places_of_loads(mechanism, pose))
 }
 
 /// Points that extend the scheme for guides on the ground, and for those with ends.

@@ -43,7 +43,7 @@ impl SchemeOnPaper<'_> {
         let outwards = outwards / outwards.hypot();
         canvas.draw(Pen::Guide, Shape::Line(touch - outwards * TOUCH, touch + outwards * TOUCH));
         if body == GROUND {
-            hatch(canvas, ends, outwards);
+            hatch_line(canvas, ends, outwards);
         }
     }
 
@@ -64,26 +64,33 @@ impl SchemeOnPaper<'_> {
         let rim = |index: usize| self.view.at(places[index] + geometry::Vector::new(belt.radii[index], 0.0));
         let centers = places.map(|place| self.view.at(place));
         let radii = [0, 1].map(|index| (rim(index) - centers[index]).hypot());
-        let way = centers[1] - centers[0];
-        let away = way.hypot();
-        let other = if belt.is_crossed { -radii[1] } else { radii[1] };
-        // The sine of the angle between a tangent and the line of the centres; larger than 1 for circles that leave no room for one.
-        let sine = (radii[0] - other) / away;
-        if sine.is_nan() || sine.abs() >= 1.0 {
-            return;
-        }
-        let along = way / away;
-        let across = Vec2::new(-along.y, along.x);
-        for side in [1.0, -1.0] {
-            let normal = along * sine + across * (side * (1.0 - sine * sine).sqrt());
-            let ends = (centers[0] + normal * radii[0], centers[1] + normal * other);
-            canvas.draw(Pen::Guide, Shape::Line(ends.0, ends.1));
+        for [from, to] in tangents(centers, radii, belt.is_crossed) {
+            canvas.draw(Pen::Guide, Shape::Line(from, to));
         }
     }
 }
 
+/// The common tangents of two circles, the outer or the inner ones, from the first to the second; none of circles that leave no room for one.
+pub(in crate::drawing) fn tangents(centers: [Point; 2], radii: [f64; 2], is_inner: bool) -> Vec<[Point; 2]> {
+    let way = centers[1] - centers[0];
+    let away = way.hypot();
+    let other = if is_inner { -radii[1] } else { radii[1] };
+    // The sine of the angle between a tangent and the line of the centres.
+    let sine = (radii[0] - other) / away;
+    if sine.is_nan() || sine.abs() >= 1.0 {
+        return Vec::new();
+    }
+    let along = way / away;
+    let across = Vec2::new(-along.y, along.x);
+    let tangent = |side: f64| {
+        let normal = along * sine + across * (side * (1.0 - sine * sine).sqrt());
+        [centers[0] + normal * radii[0], centers[1] + normal * other]
+    };
+    [1.0, -1.0].map(tangent).to_vec()
+}
+
 /// Strokes along a line on the side of `outwards`.
-fn hatch(canvas: &mut Canvas<'_>, [from, to]: [Point; 2], outwards: Vec2) {
+pub(in crate::drawing) fn hatch_line(canvas: &mut Canvas<'_>, [from, to]: [Point; 2], outwards: Vec2) {
     let way = to - from;
     let count = (way.hypot() / APART).floor().min(200.0);
     let step = way / count.max(1.0);

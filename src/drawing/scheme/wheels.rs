@@ -2,12 +2,12 @@
 //! mechanisms.
 
 use super::on_paper::{SchemeOnPaper, circles};
-use crate::construction::{display, image_name};
+use crate::construction::{SpotName, display, image_name};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
 use crate::geometry;
-use crate::mechanism::{GROUND, Joint, JointId, Pitch};
+use crate::mechanism::{GROUND, Joint, JointId, Pitch, Rack};
 use crate::sheet::Sheet;
 use kurbo::{Point, Vec2};
 use std::f64::consts::{PI, TAU};
@@ -47,11 +47,21 @@ impl SchemeOnPaper<'_> {
             }
             if let Some(rack) = joint.rack {
                 self.rack(canvas, joint, rack);
+                self.pitch_point_of_rack(canvas, JointId(index), rack);
             }
             if let Some(belt) = joint.belt {
                 self.belt(canvas, belt);
             }
         }
+    }
+
+    /// The name of the point where a wheel touches its rack, where the speed diagram has it.
+    fn pitch_point_of_rack(&self, canvas: &mut Canvas<'_>, joint: JointId, rack: Rack) {
+        let Some(diagram) = &self.context.construction().speeds else { return };
+        let Some(spot) = diagram.spots.iter().find(|spot| spot.at == SpotName::Pitch(joint)) else { return };
+        let to_rack = geometry::quarter_turn(self.pose.guide(rack.slider)) * (-rack.side * rack.radius);
+        let touch = self.view.at(self.pose.point(rack.center) + to_rack);
+        canvas.label(&spot.name, &display(&spot.name), touch, TOUCH, None, 1);
     }
 
     /// The name of the point where two wheels touch, where a plan has its image.

@@ -61,7 +61,8 @@ fn of_wheels(mechanism: &Mechanism, gear: &scene::Gear, carrier: BodyId, joint: 
         let unit = gear.belt_radius.map_or(larger, |radius| radius / first);
         let radii = [first * unit, second * unit];
         let marks = [0, 1].map(|index| Mark::Wheel { center: centers[index], radius: radii[index] });
-        let belt = Belt { centers, radii, teeth, is_crossed: kind == scene::Belt::Crossed };
+        let (is_crossed, is_sized) = (kind == scene::Belt::Crossed, gear.belt_radius.is_some());
+        let belt = Belt { centers, radii, teeth, is_crossed, is_sized };
         return Some(Joint { belt: Some(belt), marks: marks.into(), ..joint });
     }
     let pitch = Pitch { centers, teeth: [first, second], all_teeth: gear.teeth, pressure_deg: gear.pressure_deg };

@@ -110,6 +110,8 @@ pub struct Belt {
     pub teeth: [i32; 2],
     /// Whether it runs across, so that the wheels turn against each other.
     pub is_crossed: bool,
+    /// Whether the scene says how large its wheels are.
+    pub is_sized: bool,
 }
 
 impl Belt {

@@ -9,7 +9,7 @@ use serde::Deserialize;
 use super::{Along, JointKind, Meaning, On, Slider};
 use crate::geometry::{Vector, cross, direction_of_degrees};
 use crate::message::Message;
-use crate::scene::error::Wrong;
+use crate::scene::error::{Wrong, number};
 use crate::scene::names::{Coordinates, Names};
 use crate::scene::says;
 use crate::scene::value::{Direction, OneOf, choice, several_forms};
@@ -20,6 +20,9 @@ const MOST_TEETH: i32 = 10_000;
 
 /// The steepest line of action that a pair of teeth has, in degrees.
 const STEEPEST: f64 = 45.0;
+
+/// A radius below this, in any unit of length, is a slip of the keyboard: an angle would be a position divided by it.
+const LEAST_RADIUS: f64 = 1e-30;
 
 /// The sine of the largest angle between guides that count as parallel.
 const PARALLEL: f64 = 1e-9;
@@ -253,8 +256,8 @@ impl RackKeys {
             Some(_) if self.belt.is_none() => {
                 Err(Wrong::key(&["radius"], says::radius_without_rack()).hint(says::leave_key_out()))
             }
-            Some(radius) if radius <= 0.0 => Err(Wrong::value(&["radius"], says::no_radius(radius))),
-            _ => Ok(()),
+            Some(radius) => checked_radius(radius).map(drop),
+            None => Ok(()),
         }
     }
 
@@ -272,11 +275,18 @@ impl RackKeys {
         }
         match self.radius {
             None => Err(Wrong::value(&[], says::missing("radius")).hint(says::give_radius())),
-            Some(radius) if radius <= 0.0 => {
-                Err(Wrong::value(&["radius"], says::no_radius(radius)).hint(says::give_radius()))
-            }
-            Some(radius) => Ok(radius),
+            Some(radius) => checked_radius(radius),
         }
+    }
+}
+
+/// A radius that a wheel can have.
+fn checked_radius(radius: f64) -> Result<f64, Wrong> {
+    let wrong = || Wrong::value(&["radius"], says::no_radius(number(radius)));
+    match radius {
+        LEAST_RADIUS.. => Ok(radius),
+        _ if radius > 0.0 => Err(wrong().hint(says::give_larger_radius(number(LEAST_RADIUS)))),
+        _ => Err(wrong().hint(says::give_radius())),
     }
 }
 

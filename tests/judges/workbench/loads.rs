@@ -254,3 +254,114 @@ fn a_finger_loads_in_build() {
     bench.picture("loads-finger");
     bench.assert_quiet();
 }
+
+/// Where on the stage that part of the load of this index is, in the scene.
+fn handle(bench: &mut Bench, index: usize, part: &str) -> [f64; 2] {
+    let all = bench.value("JSON.parse(document.querySelector('#build-stage').dataset.loads)");
+    let is_it = |load: &&serde_json::Value| load["index"] == index && load["part"] == part;
+    let found = all.as_array().expect("loads").iter().find(is_it).unwrap_or_else(|| panic!("{part} {index} in {all}"));
+    [0, 1].map(|axis| found["at"][axis].as_f64().expect("a number"))
+}
+
+/// A slider-crank with a force on its coupler, one on the slider, one that turns with the crank, and a couple.
+fn loaded() -> String {
+    let mut scene: serde_json::Value = serde_json::from_str(&files::read("templates/slider-crank.json")).expect("JSON");
+    scene["units"] = json!({ "length": "mm", "time": "s", "force": "N" });
+    scene["analysis"] = json!("static");
+    scene["forces"] = json!([
+        { "name": "P", "on": "2", "at": 60, "force": [0, -100] },
+        { "name": "Q", "on": "3", "at": "C", "force": { "size": 1500, "angle": 180 } },
+        { "on": "2", "couple": 1000 },
+    ]);
+    serde_json::to_string_pretty(&scene).expect("JSON")
+}
+
+#[test]
+fn loads_are_dragged_in_build() {
+    let Some(mut bench) = Bench::of("loads-dragged", &loaded()) else { return };
+    bench.panel("mechanism");
+    bench.press("b");
+    bench.until("document.activeElement.id === 'build-stage'");
+    bench.settle();
+    super::build::tool(&mut bench, "select");
+    let fine = bench.number("Number(document.querySelector('#build .seen button').textContent.match(/[\\d.]+/)[0])");
+    // The tip: three steps to the right, four down, ten units each.
+    let [x, y] = handle(&mut bench, 0, "tip");
+    super::build::drag(&mut bench, [x, y], [x + 3.0 * fine, y - 4.0 * fine]);
+    assert_eq!(bench.at("/forces/0/force"), json!([30, -140]));
+    bench.press("Control+z");
+    bench.settle();
+    assert_eq!(bench.at("/forces/0/force"), json!([0, -100]), "one entry of undo");
+    // A large force by larger steps, still by size and direction.
+    let [x, y] = handle(&mut bench, 1, "tip");
+    super::build::drag(&mut bench, [x, y], [x - 5.0 * fine, y]);
+    assert_eq!(bench.at("/forces/1/force"), json!({ "size": 2000, "angle": 180 }));
+    // The shaft takes the force along its link, to a joint of it in the end.
+    let [x, y] = handle(&mut bench, 0, "shaft");
+    super::build::drag(&mut bench, [x, y], [x + 4.0 * fine, y]);
+    let further = bench.at("/forces/0/at").as_f64().expect("a distance");
+    assert!(further > 61.0 && bench.at("/forces/0/force") == json!([0, -100]), "{further}");
+    let places = super::build::places(&mut bench);
+    let joint = places.iter().find(|(name, _)| name == "B").expect("B").1;
+    let [x, y] = handle(&mut bench, 0, "shaft");
+    let text: serde_json::Value = serde_json::from_str(&bench.scene()).expect("JSON");
+    let along = text["forces"][0]["at"].as_f64().expect("a distance");
+    let end = places.iter().find(|(name, _)| name == "C").expect("C").1;
+    let way = (joint - end) / 150.0 * along;
+    super::build::drag(&mut bench, [x, y], [x + way.re, y + way.im]);
+    assert_eq!(bench.at("/forces/0/at"), "B");
+    // A couple grows to the right.
+    let [x, y] = handle(&mut bench, 2, "couple");
+    super::build::drag(&mut bench, [x, y], [x + 5.0 * fine, y]);
+    assert_eq!(bench.at("/forces/2/couple"), 1500);
+    bench.picture("loads-dragged");
+    // A tap opens the row; no couple comes with the tool for loads.
+    super::build::tool(&mut bench, "load");
+    let tip = handle(&mut bench, 1, "tip");
+    super::build::click(&mut bench, tip);
+    assert!(bench.at("/forces/3").is_null());
+    bench.until("document.querySelector(\"[data-path='forces.1']\") !== null");
+    // By keys: the last thing is the couple; Enter, an arrow, Enter.
+    super::build::tool(&mut bench, "select");
+    bench.value("document.querySelector('#build-stage').focus()");
+    bench.press("f");
+    bench.press("PageUp");
+    bench.settle();
+    for _ in 0..8 {
+        if bench.value("document.querySelector('#build-stage .cross text').textContent") == "load M2" {
+            break;
+        }
+        bench.press("PageUp");
+        bench.settle();
+    }
+    bench.press("Enter");
+    bench.settle();
+    bench.press("ArrowRight");
+    bench.press("ArrowRight");
+    bench.press("Enter");
+    bench.settle();
+    assert_eq!(bench.at("/forces/2/couple"), 1700);
+    bench.assert_quiet();
+}
+
+#[test]
+fn a_finger_drags_loads_in_build() {
+    let Some(mut bench) = Bench::closed("loads-finger-drags", None) else { return };
+    bench.telephone([360, 640]);
+    bench.load("");
+    bench.put(&loaded());
+    bench.value("kinegon.app.show('')");
+    bench.click("#hand-build");
+    bench.until("document.querySelector('#build-stage')?.dataset.window !== undefined");
+    bench.settle();
+    bench.value("document.querySelector('#build .tools [data-value=load]').click()");
+    bench.settle();
+    let tip = handle(&mut bench, 0, "tip");
+    let [x, y] = super::build::on_screen(&mut bench, tip);
+    bench.touch(&[&[[x, y]], &[[x, y + 30.0]], &[[x, y + 70.0]]]);
+    bench.settle();
+    let force = bench.at("/forces/0/force");
+    assert!(force[1].as_f64().is_some_and(|y| y < -100.0) && bench.at("/forces/3").is_null(), "{force}");
+    bench.picture("loads-finger-drags");
+    bench.assert_quiet();
+}

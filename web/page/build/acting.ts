@@ -34,11 +34,17 @@ function isFormSeen(app: App): boolean {
 }
 
 /** Opens the card of what was pressed in the form of the mechanism; `types`: so that its number can be typed. */
-export function reveal(app: App, { point, link }: Press, types: boolean): void {
+export function reveal(app: App, { point, link, load }: Press, types: boolean): void {
+  if (load !== undefined) return revealLoad(app, load.index, types);
   if (point === null && link === null) return;
   // A panel that is folded away stays so, unless its numbers are asked for.
   if (types || isFormSeen(app)) app.show("mechanism");
   app.card.set({ of: point === null ? "link" : "point", name: point ?? link!, types });
+}
+
+function revealLoad(app: App, index: number, types: boolean): void {
+  app.show("mechanism");
+  app.card.set({ of: "load", name: String(index), types });
 }
 
 /** All points of what is chosen. */
@@ -51,6 +57,7 @@ export function pointsOfChosen(model: Model): Set<string> {
 /** A click at a place: all of a tool that is done at one place, half of one that goes from here to there. */
 export async function clicked(app: App, model: Model, press: Press): Promise<void> {
   const tool = model.tool.value;
+  if (press.load !== undefined) return revealLoad(app, press.load.index, false);
   if (model.scaling.value !== null) return void model.scaling.set([...model.scaling.value, press.under].slice(0, 2));
   if (tool === "select") {
     model.chosen.set(only(press));
@@ -68,7 +75,7 @@ export async function clicked(app: App, model: Model, press: Press): Promise<voi
 
 /** A tap of a finger or a mouse: of the tool that loads a couple, else a click. */
 export async function tapped(app: App, model: Model, press: Press): Promise<void> {
-  const isCouple = model.tool.value === "load" && model.begun.value === null && model.scaling.value === null;
+  const isCouple = press.load === undefined && model.tool.value === "load" && model.begun.value === null && model.scaling.value === null;
   await (isCouple ? went(app, model, press, press) : clicked(app, model, press));
 }
 

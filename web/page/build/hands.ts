@@ -64,7 +64,7 @@ export function hands(app: App, model: Model, stage: SVGSVGElement, menu: (press
     if (down.press(event) > 1) return void cancel();
     const finger = event.pointerType === "touch";
     const press = pressAt(pixels, reachOf(event));
-    const isGround = press.point === null && press.link === null;
+    const isGround = press.point === null && press.link === null && press.load === undefined;
     const pans = event.button === 1 || (model.tool.value === "select" && isGround && !event.shiftKey);
     now = { start: pixels, press, finger, shift: event.shiftKey, hasMoved: false, held: null, pans };
     if (finger) clock = window.setTimeout(() => cancel() && menu(press, pixels), LONG);
@@ -87,6 +87,10 @@ export function hands(app: App, model: Model, stage: SVGSVGElement, menu: (press
     clearTimeout(clock);
     pressed.hasMoved = true;
     const { press } = pressed;
+    if (press.load !== undefined && !pressed.pans && model.scaling.value === null) {
+      pressed.held = model.holdLoad(press.load);
+      return;
+    }
     if (pressed.pans || model.tool.value !== "select" || model.scaling.value !== null || pressed.shift) return;
     if (!isChosen(model.chosen.value, press)) model.chosen.set(only(press));
     pressed.held = model.hold(pointsOfChosen(model));

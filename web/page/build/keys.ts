@@ -2,6 +2,7 @@
 import type { App } from "../app.ts";
 import { redo, undo } from "../layout/keys.ts";
 import { speak } from "../layout/messages.ts";
+import { loadNames } from "../panels/mechanism/loads.ts";
 import { clicked, copyChosen, isChosen, paste, pointsOfChosen, removeChosen, reveal } from "./acting.ts";
 import { crossed, isAt, thingsFor } from "./cross.ts";
 import { NOTHING, type Held, type Model } from "./model.ts";
@@ -33,7 +34,7 @@ export function buildKeys(app: App, model: Model, stage: SVGSVGElement, menu: (p
 
   const things = (): Place[] => {
     const there = model.present();
-    return there === null ? [] : thingsFor(model.tool.value, there.scene, there.places);
+    return there === null ? [] : [...thingsFor(model.tool.value, there.scene, there.places), ...model.handles().map(({ at }) => at)];
   };
   /** What the cross stands at: where it has been put on a thing, that alone; where it went by fine steps, what is within one of them. */
   const pressAt = (place: Place): Press => {
@@ -45,7 +46,8 @@ export function buildKeys(app: App, model: Model, stage: SVGSVGElement, menu: (p
   const press = (): Press => pressAt(cross);
 
   function words(): string {
-    const { at, point, link } = press();
+    const { at, point, link, load } = press();
+    if (load !== undefined) return say("at_load", { name: loadNames(model.present()?.scene ?? {})[load.index] ?? "" });
     if (point !== null) return point;
     return link !== null ? say("at_link", { name: link }) : at.map((value) => Number(value.toPrecision(5))).join(", ");
   }
@@ -59,6 +61,10 @@ export function buildKeys(app: App, model: Model, stage: SVGSVGElement, menu: (p
       if (!isAt(at, from)) held.move([at[0] - from[0], at[1] - from[1]]);
       await held.drop();
       return speak(say("put_down"));
+    }
+    if (what.load !== undefined && model.scaling.value === null) {
+      carried = { held: model.holdLoad(what.load), from: at };
+      return speak(say("taken_up"));
     }
     if (model.tool.value !== "select" || model.scaling.value !== null) return clicked(app, model, what);
     if (what.point === null && what.link === null) return model.chosen.set(NOTHING);

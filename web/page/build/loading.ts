@@ -45,23 +45,50 @@ export function loaded(present: Present, from: Press, to: Press): Follows {
 }
 
 /** A place of a link as the scene says it: a point of it, a distance along it, or coordinates in its own frame, of a drawn scene in the fixed one. */
-function placeOn(present: Present, link: string, press: Press): string | number | Place {
+export function placeOn(present: Present, link: string, press: Press): string | number | Place {
   if (press.point !== null) return press.point;
-  const { scene, places } = present;
+  const { scene } = present;
   const rounded = (place: number[]): Place => place.map((value) => short(Number(value.toPrecision(4)))) as Place;
   const spot = foot(present, link, press);
   if (isDrawn(scene)) return rounded(spot);
+  const points = pointsOn(scene, link);
+  const frame = frameOf(present, link);
+  if (frame === null) return points[0] ?? 0;
+  const { local, fixed, turn } = frame;
+  const way = turnedBy([spot[0] - fixed[0], spot[1] - fixed[1]], turn);
+  const own = rounded([local[0] + way[0], local[1] + way[1]]);
+  return points.length === 2 && at(scene, ["links", link, "shape"]) === undefined ? own[0] : own;
+}
+
+/** Where a distance along a link, or coordinates in its own frame, is in the fixed one; null where that is not known. */
+export function fixedOn(present: Present, link: string, where: number | Place): Place | null {
+  if (isDrawn(present.scene)) return Array.isArray(where) ? where : null;
+  const frame = frameOf(present, link);
+  if (frame === null) return null;
+  const { local, fixed, turn } = frame;
+  const [x, y] = Array.isArray(where) ? where : [where, 0];
+  const way = turnedBy([x - local[0], y - local[1]], -turn);
+  return [fixed[0] + way[0], fixed[1] + way[1]];
+}
+
+/** By how much a direction is turned, in radians, from the fixed frame into a link's own; null where that is not known. */
+export function turnOf(present: Present, link: string): number | null {
+  return isDrawn(present.scene) ? 0 : frameOf(present, link)?.turn ?? null;
+}
+
+export function turnedBy([x, y]: Place, angle: number): Place {
+  return [x * Math.cos(angle) - y * Math.sin(angle), x * Math.sin(angle) + y * Math.cos(angle)];
+}
+
+/** A place of a link in its own frame and in the fixed one, and the angle from that to this. */
+function frameOf({ scene, places }: Present, link: string): { local: Place; fixed: Place; turn: number } | null {
   const shape = at(scene, ["links", link, "shape"]);
   const own = (local: unknown): Place => (Array.isArray(local) ? (local as Place) : [Number(local), 0]);
   const known = (shape === undefined ? [] : entries(shape)).flatMap(([name, local]): [Place, Place][] => (places.has(name) ? [[own(local), places.get(name)!]] : []));
-  const points = pointsOn(scene, link);
-  const [first, second] = points.map((name) => places.get(name));
+  const [first, second] = pointsOn(scene, link).map((name) => places.get(name));
   if (shape === undefined && first !== undefined && second !== undefined) known.push([[0, 0], first], [[Math.hypot(second[0] - first[0], second[1] - first[1]), 0], second]);
   const [one, other] = [known[0], known.at(-1)];
-  if (one === undefined || other === undefined || one === other) return points[0] ?? 0;
+  if (one === undefined || other === undefined || one === other) return null;
   const angle = (from: Place, to: Place): number => Math.atan2(to[1] - from[1], to[0] - from[0]);
-  const turn = angle(one[0], other[0]) - angle(one[1], other[1]);
-  const [x, y] = [spot[0] - one[1][0], spot[1] - one[1][1]];
-  const local = rounded([one[0][0] + x * Math.cos(turn) - y * Math.sin(turn), one[0][1] + x * Math.sin(turn) + y * Math.cos(turn)]);
-  return points.length === 2 && shape === undefined ? local[0] : local;
+  return { local: one[0], fixed: one[1], turn: angle(one[0], other[0]) - angle(one[1], other[1]) };
 }

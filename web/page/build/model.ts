@@ -11,6 +11,7 @@ import { signal, type Signal } from "../state/signal.ts";
 import type { Chosen, Copied } from "./copied.ts";
 import type { Photograph } from "./ground.ts";
 import { linkAt, placesIn, pointAt } from "./hit.ts";
+import { dragged, handlesOf, loadAt, type Dragged, type LoadPress } from "./seen_loads.ts";
 import { short, sight, type Place, type Sight, type Sighted } from "./sight.ts";
 import type { Choices, Follows, Press, Present, Tool } from "./tools.ts";
 import { say } from "./words.ts";
@@ -57,6 +58,12 @@ export interface Model {
   /** Makes the changes, as one entry of undo; or says what they need. */
   make(follows: Follows, gesture?: string): Promise<boolean>;
   hold(names: Iterable<string>): Held;
+  /** Takes hold of a load. */
+  holdLoad(load: LoadPress): Held;
+  /** What can be taken hold of of loads, where tools take it. */
+  handles(): LoadPress[];
+  /** The load that is dragged, with what it has come to. */
+  dragging: Signal<Dragged | null>;
   /** Shows everything. */
   fit(): void;
   redraw(): void;
@@ -67,6 +74,9 @@ export const NOTHING: Chosen = { points: new Set(), links: new Set() };
 /** Points that are closer than so many steps of the grid are in one place. */
 const SAME = 0.05;
 
+/** Tools that take hold of loads. */
+const TAKE_LOADS: readonly Tool[] = ["select", "load"];
+
 /** Half the width of a block, in the height of letters. */
 const BLOCK = 0.8;
 
@@ -74,6 +84,9 @@ export function model(app: App): Model {
   const own = sight();
   const shown = signal<Shown | null>(null);
   const note = signal("");
+  const tool = signal<Tool>("link");
+  const begun = signal<Press | null>(null);
+  const dragging = signal<Dragged | null>(null);
   const snaps = signal(true);
   /** The text that is shown while something is held. */
   let preview: string | null = null;
@@ -110,6 +123,14 @@ export function model(app: App): Model {
     return done;
   }
 
+  /** A millimetre of the picture in units of length. */
+  const mm = ({ drafted }: Present): number => own.size.width / drafted.width / own.now.value.scale;
+
+  function handles(): LoadPress[] {
+    const there = present();
+    return there === null || !TAKE_LOADS.includes(tool.value) || begun.value !== null ? [] : handlesOf(there, mm(there));
+  }
+
   function press(place: Place, reach: number): Press {
     const there = present();
     const grid = own.rounded(place, snaps.value);
@@ -119,6 +140,9 @@ export function model(app: App): Model {
     // No second point comes to lie where one is.
     const point = pointAt(places, place, far) ?? pointAt(places, grid, SAME * own.grid().fine);
     const link = linkAt(scene, places, place, far, (BLOCK * letters()) / own.now.value.scale);
+    const held = handles().length === 0 ? null : loadAt(there, mm(there), place, far);
+    const toPoint = point === null ? Infinity : Math.hypot(places.get(point)![0] - place[0], places.get(point)![1] - place[1]);
+    if (held !== null && held.away < toPoint) return { at: held.load.at, under: place, point: null, link, load: held.load };
     return { at: point === null ? grid : places.get(point)!, under: place, point, link };
   }
 
@@ -133,17 +157,14 @@ export function model(app: App): Model {
     return why === null;
   }
 
-  function hold(names: Iterable<string>): Held {
-    const text = app.history.now.value.text;
-    const places = present()?.places ?? new Map<string, Place>();
-    const origins = [...names].flatMap((name): [string, Place][] => (places.has(name) ? [[name, places.get(name)!]] : []));
-    let last = text;
+  /** What is held follows: `change` gives the text for a way, or null where it stays as it is. */
+  function held(change: (by: Place) => Promise<string | null>, ends: () => void = () => undefined): Held {
+    let last = app.history.now.value.text;
     let isOver = false;
-    const moving = newest(async ([dx, dy]: Place) => {
-      const moves = origins.map(([name, [x, y]]) => ({ name, at: [short(x + dx), short(y + dy)] as Place }));
+    const moving = newest(async (by: Place) => {
       try {
-        const next = await app.engine.move_points(text, moves);
-        if (isOver) return;
+        const next = await change(by);
+        if (isOver || next === null) return;
         note.set("");
         last = preview = next;
         redraw();
@@ -155,6 +176,7 @@ export function model(app: App): Model {
       isOver = true;
       preview = null;
       note.set("");
+      ends();
       redraw();
     };
     return {
@@ -169,6 +191,28 @@ export function model(app: App): Model {
     };
   }
 
+  function hold(names: Iterable<string>): Held {
+    const text = app.history.now.value.text;
+    const places = present()?.places ?? new Map<string, Place>();
+    const origins = [...names].flatMap((name): [string, Place][] => (places.has(name) ? [[name, places.get(name)!]] : []));
+    return held(async ([dx, dy]) => {
+      const moves = origins.map(([name, [x, y]]) => ({ name, at: [short(x + dx), short(y + dy)] as Place }));
+      return app.engine.move_points(text, moves);
+    });
+  }
+
+  function holdLoad(load: LoadPress): Held {
+    const [text, there] = [app.history.now.value.text, present()];
+    const change = async (by: Place): Promise<string | null> => {
+      const now = there === null ? null : dragged({ ...there, isOnGrid: snaps.value }, load, by);
+      if (now === null) return null;
+      const next = await app.engine.edit_in_place(text, now.edits);
+      dragging.set(now);
+      return next;
+    };
+    return held(change, () => dragging.set(null));
+  }
+
   function fit(): void {
     const there = present();
     own.fit(there === null ? [] : [...there.places.values()], unitsOf(there?.scene ?? {}).length);
@@ -178,10 +222,10 @@ export function model(app: App): Model {
   own.now.on(redraw);
   return {
     sight: own,
-    tool: signal<Tool>("link"),
+    tool,
     choices: signal<Choices>({ sliding: "block", guided: "along" }),
     snaps,
-    begun: signal<Press | null>(null),
+    begun,
     chosen: signal(NOTHING),
     shown,
     photo: signal<Photograph | null>(null),
@@ -194,6 +238,9 @@ export function model(app: App): Model {
     press,
     make,
     hold,
+    holdLoad,
+    handles,
+    dragging,
     fit,
     redraw,
   };

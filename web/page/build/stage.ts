@@ -85,12 +85,14 @@ export function stage(app: App, model: Model, field: HTMLElement, menu: (press: 
     const at = moving.at();
     if (at === null) return [];
     const press = model.press(sight.toScene(at), 10);
-    if (press.point === null) return [];
+    if (press.point === null && press.load === undefined) return [];
     const [cx, cy] = sight.toPane(press.at);
     return [svgElement("circle", { cx, cy, r: 8, class: "under" })];
   }
 
   function line(): SVGElement[] {
+    const load = model.dragging.value;
+    if (load !== null) return lineShapes(sight.toPane(load.from), sight.toPane(load.to), load.words);
     const way = moving.line() ?? keyed.line();
     if (way === null) return [];
     const [from, to] = [way.from.at, way.to.at];
@@ -116,6 +118,8 @@ export function stage(app: App, model: Model, field: HTMLElement, menu: (press: 
       isWaiting = false;
       if (!app.building.value) return;
       const cross = svgElement("g", { class: "cross" }, ...crossShape(sight.toPane(keyed.cross()), keyed.words()));
+      // For tests: what can be taken hold of of loads.
+      over.dataset["loads"] = JSON.stringify(model.handles());
       over.replaceChildren(...marks(), ...frame(), ...under(), ...line(), cross);
     });
   }
@@ -144,7 +148,7 @@ export function stage(app: App, model: Model, field: HTMLElement, menu: (press: 
     ground();
     draw();
   });
-  for (const each of [model.begun, model.chosen, model.scaling, model.tool] as { on(act: () => void): void }[]) each.on(draw);
+  for (const each of [model.begun, model.chosen, model.scaling, model.tool, model.dragging] as { on(act: () => void): void }[]) each.on(draw);
   model.photo.on(ground);
   isDark.on(() => drawn(model.shown.value));
   language.on(() => drawn(model.shown.value));

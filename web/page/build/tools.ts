@@ -4,6 +4,7 @@ import { freeLink, freePoint } from "../panels/mechanism/free_name.ts";
 import { at, groundOf, isDrawn, joined, linksOf, pointsOn, slidersOf, type Draft } from "../panels/parts/scene.ts";
 import { onLink, type Places } from "./hit.ts";
 import { loaded } from "./loading.ts";
+import type { LoadPress } from "./seen_loads.ts";
 import { short, type Place } from "./sight.ts";
 
 /** The tools in the order of their buttons and keys. */
@@ -42,6 +43,8 @@ export interface Press {
   under: Place;
   point: string | null;
   link: string | null;
+  /** What of a load that is there, where no joint is nearer. */
+  load?: LoadPress;
 }
 
 /** What is there. */

@@ -179,6 +179,12 @@ function usualNames(scene: Draft): string[] {
   });
 }
 
+/** The names of forces and couples: those that the scene gives, else their own. */
+export function loadNames(scene: Draft): string[] {
+  const usual = usualNames(scene);
+  return listOf(scene, "forces").map((load, index) => givenName(load, usual[index]!));
+}
+
 function nameRow(path: Path, usual: string): Row {
   return { fields: [{ kind: "text", path: [...path, "name"], label: say("load_name"), usual }] };
 }
