@@ -63,6 +63,29 @@ fn mistakes_with_teeth_cams_and_friction_are_named_and_honest_hands_are_not_accu
     }
 }
 
+/// Mistakes of which a right explanation once fitted badly: an angular velocity that was measured did not come into an acceleration, one radius was taken from paper, and
+/// lines that cross under small angles were compared to first order.
+#[test]
+fn mistakes_whose_values_are_far_off_are_named() {
+    let Some(python) = find("python3") else {
+        return;
+    };
+    for (judge, mistake, scenes, each, seed, least) in [
+        ("gears.py", "accelerations-equal-at-P", "84", "168", "31", 90.0),
+        ("cams.py", "face-along-wrong-line", "80", "160", "7", 80.0),
+        ("teeth.py", "diameter-for-radius", "8", "24", "31", 95.0),
+    ] {
+        let judge = files::path(&format!("tests/students/{judge}"));
+        let words = ["--mistake", mistake, "--scenes", scenes, "--honest", "1", "--each", each, "--seed", seed];
+        let program = [QUIET.as_ref(), judge.as_os_str(), env!("CARGO_BIN_EXE_kinegon").as_ref()];
+        let said = run(&python, program.into_iter().chain(words.map(AsRef::as_ref)));
+        let said = String::from_utf8(said).expect("text");
+        let named = said.split("all ").last().and_then(|all| all.split_once("named ")?.1.split_once(" %"));
+        let named: f64 = named.and_then(|(share, _)| share.parse().ok()).unwrap_or_default();
+        assert!(named >= least, "{said}");
+    }
+}
+
 #[test]
 fn mistakes_with_forces_are_named_and_honest_hands_are_not_accused() {
     let Some(python) = find("python3") else {

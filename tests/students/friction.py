@@ -91,7 +91,7 @@ def rough(kind):
         m.__class__ = Rough
         m.key = rng.choice(["angle", "coefficient"])
         joints = list(range(len(m.guides))) + [name for name, *_ in m.pins()]
-        m.rubs = [(joint, float(rng.choice([8, 10, 12, 15, 18, 22])), float(rng.choice([10, 12, 15, 18, 20]))) for joint in joints if rng.random() < 0.6]
+        m.rubs = [(joint, float(rng.choice([8, 10, 12, 15, 18, 22, 28, 35])), float(rng.choice([10, 12, 15, 18, 20, 30, 40]))) for joint in joints if rng.random() < 0.6]
         if not m.rubs:
             raise Stuck
         return m
