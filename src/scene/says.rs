@@ -426,6 +426,7 @@ messages! { "scene":
     expects_table_line;
     expects_load;
     expects_spring;
+    expects_spring_end;
     expects_friction;
     expects_a_link;
     expects_ground;

@@ -1148,6 +1148,7 @@ scene-expects_link_place = den Namen eines Punkts in doppelten Anführungszeiche
 scene-expects_table_line = zwei Zahlen, eine Stelle und einen Faktor, wie [90, 1500]
 scene-expects_load = eine Last wie {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
 scene-expects_spring = eine Feder wie {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
+scene-expects_spring_end = ein Ende einer Feder wie ["3", "C"], ein Glied und ein Ort auf ihm
 scene-expects_friction = Reibung wie {"{"} "pin": "B", "coefficient": 0.1, "radius": 12 {"}"} oder {"{"} "guide": "3/ground", "coefficient": 0.1 {"}"}
 scene-expects_a_link = ein Glied
 scene-expects_ground = die Gestellpunkte wie {"{"} "A": [x, y], … {"}"}, oder ihre Namen wie ["A", …]

@@ -1178,6 +1178,7 @@ scene-expects_link_place = the name of a point in double quotes, its coordinates
 scene-expects_table_line = two numbers, a place and a factor, as [90, 1500]
 scene-expects_load = a load as {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
 scene-expects_spring = a spring as {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
+scene-expects_spring_end = an end of a spring as ["3", "C"], a link and a place on it
 scene-expects_friction = friction as {"{"} "pin": "B", "coefficient": 0.1, "radius": 12 {"}"} or {"{"} "guide": "3/ground", "coefficient": 0.1 {"}"}
 scene-expects_a_link = a link
 scene-expects_ground = the frame's points as {"{"} "A": [x, y], … {"}"}, or their names as ["A", …]

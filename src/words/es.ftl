@@ -1146,6 +1146,7 @@ scene-expects_link_place = el nombre de un punto entre comillas dobles, sus coor
 scene-expects_table_line = dos números, un lugar y un factor, como [90, 1500]
 scene-expects_load = una carga como {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
 scene-expects_spring = un resorte como {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
+scene-expects_spring_end = un extremo de un resorte como ["3", "C"], un eslabón y un lugar en él
 scene-expects_friction = un rozamiento como {"{"} "pin": "B", "coefficient": 0.1, "radius": 12 {"}"} o {"{"} "guide": "3/ground", "coefficient": 0.1 {"}"}
 scene-expects_a_link = un eslabón
 scene-expects_ground = los puntos del bastidor como {"{"} "A": [x, y], … {"}"}, o sus nombres como ["A", …]

@@ -1148,6 +1148,7 @@ scene-expects_link_place = o nome de um ponto entre aspas duplas, as suas coorde
 scene-expects_table_line = dois números, um lugar e um fator, como [90, 1500]
 scene-expects_load = uma carga como {"{"} "on": "3", "at": "C", "force": [-150, 0] {"}"}
 scene-expects_spring = uma mola como {"{"} "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 {"}"}
+scene-expects_spring_end = uma extremidade de uma mola como ["3", "C"], um elo e um lugar nele
 scene-expects_friction = um atrito como {"{"} "pin": "B", "coefficient": 0.1, "radius": 12 {"}"} ou {"{"} "guide": "3/ground", "coefficient": 0.1 {"}"}
 scene-expects_a_link = um elo
 scene-expects_ground = os pontos da base como {"{"} "A": [x, y], … {"}"}, ou seus nomes como ["A", …]

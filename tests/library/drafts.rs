@@ -116,7 +116,7 @@ fn springs_reach_from_end_to_end() {
     let springs = r#""springs": [
     { "between": [["1", [10, 5]], ["ground", [-50, 60]]], "rate": 1, "length": 20 },
     { "between": [["3", "C"], ["ground", "A"]], "rate": 1, "length": 20 },
-    { "between": [["9", "C"], ["ground", "A"]], "rate": 1, "length": 20 }, {}, 3
+    { "between": [["9", [1, 2]], ["ground", "A"]], "rate": 1, "length": 20 }, {}, 3
   ],
   "near""#;
     let text = files::read("templates/slider-crank.json").replacen("\"near\"", springs, 1);
