@@ -4,12 +4,12 @@
 use super::figures::INCH;
 #[cfg(feature = "png")]
 use super::message::{Failure, Source, note, refuse, warn};
-use super::style::GivenStyle;
 use crate::drawing::Timing;
 use clap::Args;
 #[cfg(feature = "png")]
 use {
     super::pieces::progress,
+    super::style::GivenStyle,
     crate::construction::Solution,
     crate::drawing::{Drawing, Film},
     crate::format::{FilmFormat, MOST_FILM_AREA},

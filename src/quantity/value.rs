@@ -50,7 +50,7 @@ impl Solution {
     ///
     /// # Errors
     /// As [`Solution::whole_result`]; the place is that in the scene.
-    pub(crate) fn check_corners(&self) -> Result<(), SceneError> {
+    pub fn check_corners(&self) -> Result<(), SceneError> {
         let is_of_corners =
             |name: &str| QuantityName::parse(name).is_some_and(|name| name.head == Head::Between(Sheet::Forces));
         let wanted = self.scene.want.iter().flatten().enumerate().filter(|(_, name)| is_of_corners(name));
