@@ -173,11 +173,13 @@ class Rack:
         if mistake == "radial-force-left-out":
             raise Stuck
         r = self.radius * (2 if mistake else 1)
-        w, e, v, a = (self.rate, self.change, self.rate * r, self.change * r) if self.drives == "wheel" else \
-            (self.rate * 20 / r, self.change * 20 / r, self.rate * 20.0, self.change * 20.0)
+        # Counter-clockwise the wheel takes the rack along its direction, or against it: as it lies.
+        per = self.side * r
+        w, e, v, a = (self.rate, self.change, self.rate * per, self.change * per) if self.drives == "wheel" else \
+            (self.rate * 20 / per, self.change * 20 / per, self.rate * 20.0, self.change * 20.0)
         length = size(self.spot)
         right = {"vplan(p,r)": abs(v), "vplan(p,b)": abs(w) * length, "aplan(π,r)": abs(a), "aplan(π,b)": math.hypot(w * w, e) * length, "aplan(π,n_aB)": w * w * length,
-                 "aplan(n_aB,b)": abs(e) * length, "omega(1)": w, "alpha(1)": e}
+                 "aplan(n_aB,b)": abs(e) * length, "omega(1)": w, "alpha(1)": e, "v_r(2/ground)": v, "a_r(2/ground)": a}
         found = {}
         for name in names:
             if name not in right:
