@@ -25,6 +25,9 @@ fn busy(began: Instant) -> Duration {
     told.map_or_else(|| began.elapsed(), Duration::from_nanos)
 }
 
+/// Work is repeated until it takes so long: some systems count a thread's time in ticks of 4 ms.
+const LEAST: Duration = Duration::from_millis(60);
+
 /// How many times as long work takes for 4 n as for n, the best of three.
 fn growth<T>(n: usize, prepare: impl Fn(usize) -> T, work: impl Fn(&T)) -> f64 {
     let began = Instant::now();
@@ -32,8 +35,15 @@ fn growth<T>(n: usize, prepare: impl Fn(usize) -> T, work: impl Fn(&T)) -> f64 {
         let prepared = prepare(size);
         let times = (0..3).map(|_| {
             let before = busy(began);
-            work(&prepared);
-            busy(began) - before
+            let mut rounds = 0;
+            loop {
+                work(&prepared);
+                rounds += 1;
+                let took = busy(began) - before;
+                if took >= LEAST {
+                    break took / rounds;
+                }
+            }
         });
         times.min().unwrap_or_default().as_secs_f64()
     };
