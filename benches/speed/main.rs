@@ -19,16 +19,37 @@ use kinegon::scene::Scene;
 use kinegon::{Order, PerSheet};
 use kinegon::{Solution, solve};
 
+/// How often each of two sides of a ratio is timed.
+#[derive(Clone, Copy)]
+enum Repeats {
+    Once,
+    Measured,
+}
+
+impl Repeats {
+    /// That many times, where something is measured.
+    fn of(self, measured: usize) -> usize {
+        match self {
+            Repeats::Once => 1,
+            Repeats::Measured => measured,
+        }
+    }
+}
+
 const FIGURE_1: &str = include_str!("../../examples/figure-1.json");
 const FIGURE_2: &str = include_str!("../../examples/figure-2.json");
 
 fn main() {
     divan::main();
-    // Only where all benches run.
-    if std::env::args().skip(1).all(|argument| argument == "--bench") {
-        ratios::print();
-        reactions::print();
-    }
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    // Some benches, which have been named, need no ratios; as a test, which `cargo test --bench speed` asks for, each runs once.
+    let repeats = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["--bench"] => Repeats::Measured,
+        [] => Repeats::Once,
+        _ => return,
+    };
+    ratios::print(repeats);
+    reactions::print(repeats);
 }
 
 fn text(which: &str) -> &'static str {
@@ -217,8 +238,10 @@ fn plans(bencher: Bencher) {
 /// The whole construction once more, operation by operation.
 #[divan::bench]
 fn replay_by_hand(bencher: Bencher) {
-    let (drawn, _) = read_by_hand(&solved(FIGURE_2), &[]);
-    let scales = PerSheet::from_fn(|sheet| [5.0, 1.0, 2.0][sheet as usize]);
+    let solution = solved(FIGURE_2);
+    let (drawn, _) = read_by_hand(&solution, &[]);
+    let given = solution.scales();
+    let scales = PerSheet::from_fn(|sheet| given[sheet].unwrap_or(1.0));
     let mut values = drawn.run(scales, &[]);
     bencher.bench_local(|| black_box(&mut values).carry_out(&drawn.operations, 0, scales, &[]));
 }

@@ -3,7 +3,7 @@
 
 use crate::by_hand::ByHand;
 use crate::by_hand_together::{EIGHT, FourBar, Paper, four_bar, paper, paper_rates};
-use crate::{path, solved, walk};
+use crate::{Repeats, path, solved, walk};
 use divan::black_box;
 use fearless_simd::Level;
 use kinegon::cycle::{Mover, Path};
@@ -21,14 +21,15 @@ const BATCH: usize = 32_000;
 const PLACES: usize = MANY / EIGHT;
 
 /// Prints all ratios.
-pub fn print() {
+pub fn print(repeats: Repeats) {
     println!("\nTimes per position over those by hand, of angles and slides with their rates:");
-    paper_together();
-    four_bar_together();
-    paper_one_after_another();
+    let repeats = repeats.of(REPEATS);
+    paper_together(repeats);
+    four_bar_together(repeats);
+    paper_one_after_another(repeats);
 }
 
-fn paper_together() {
+fn paper_together(repeats: usize) {
     let solution = solved(crate::FIGURE_2);
     let path = path(&solution.mechanism, &solution.pose, [-135.0, 135.0]);
     let values = values(-135.0, 135.0);
@@ -52,17 +53,17 @@ fn paper_together() {
         paper(registers, &start, black_box(&values), &mut places);
         black_box(&places);
     };
-    ratio("the paper's mechanism", BATCH, kinegon, by_hand);
+    ratio(repeats, "the paper's mechanism", BATCH, kinegon, by_hand);
     let kinegon = || walk::<1>(&mut walker, black_box(&values));
     let by_hand = || {
         for _ in 0..BATCH / MANY {
             paper_rates(registers, &start, black_box(&mut places));
         }
     };
-    ratio("its velocities and accelerations alone", BATCH, kinegon, by_hand);
+    ratio(repeats, "its velocities and accelerations alone", BATCH, kinegon, by_hand);
 }
 
-fn four_bar_together() {
+fn four_bar_together(repeats: usize) {
     let solution = solved(include_str!("../../templates/four-bar.json"));
     let path = path(&solution.mechanism, &solution.pose, [0.0, 360.0]);
     let values = values(0.0, 360.0);
@@ -81,10 +82,10 @@ fn four_bar_together() {
         four_bar(registers, black_box(&values), &mut places);
         black_box(&places);
     };
-    ratio("the four-bar", BATCH, kinegon, by_hand);
+    ratio(repeats, "the four-bar", BATCH, kinegon, by_hand);
 }
 
-fn paper_one_after_another() {
+fn paper_one_after_another(repeats: usize) {
     let solution = solved(crate::FIGURE_2);
     let mut mover = Mover::new(&solution.mechanism, &solution.pose).expect("it is not singular");
     let mut by_hand = ByHand::new();
@@ -105,7 +106,7 @@ fn paper_one_after_another() {
             black_box(&by_hand);
         }
     };
-    ratio("the paper's, one position after another", values.len(), kinegon, by_hand);
+    ratio(repeats, "the paper's, one position after another", values.len(), kinegon, by_hand);
 }
 
 fn values(from: f64, to: f64) -> Vec<f64> {
@@ -123,9 +124,9 @@ fn compare(path: &Path, link: &str, value: f64, by_hand: [f64; 2]) {
 }
 
 /// Prints the least times of both per position, and their ratio.
-fn ratio(what: &str, count: usize, mut kinegon: impl FnMut(), mut by_hand: impl FnMut()) {
+fn ratio(repeats: usize, what: &str, count: usize, mut kinegon: impl FnMut(), mut by_hand: impl FnMut()) {
     let mut least = [f64::INFINITY; 2];
-    for _ in 0..REPEATS {
+    for _ in 0..repeats {
         let start = Instant::now();
         kinegon();
         let between = Instant::now();

@@ -1,6 +1,6 @@
 //! How much longer a table takes with what joints carry and drives need in it.
 
-use crate::{path, solved};
+use crate::{Repeats, path, solved};
 use divan::black_box;
 use kinegon::cycle::{Steps, Sweep, every_name};
 use kinegon::mechanism::{Mechanism, SliderId};
@@ -23,7 +23,7 @@ const MECHANISMS: [(&str, &str, [f64; 2]); 4] = [
 ];
 
 /// Prints the times over those of the same tables without forces.
-pub fn print() {
+pub fn print(repeats: Repeats) {
     println!(
         "\nTimes of tables with all reactions and what the drive needs over those without, all motions of links and points in both; and, in µs per row,"
     );
@@ -42,7 +42,7 @@ pub fn print() {
                 black_box(sweep.rows(0..ROWS));
                 start.elapsed().as_secs_f64()
             };
-            (0..REPEATS).map(|_| time()).fold(f64::INFINITY, f64::min) / ROWS as f64 * 1e6
+            (0..repeats.of(REPEATS)).map(|_| time()).fold(f64::INFINITY, f64::min) / ROWS as f64 * 1e6
         });
         println!("  {name}: {:.2}   {without:.3} {with:.3}", with / without);
     }

@@ -1,5 +1,5 @@
-//! Our files as other programs see them: Chromium, LaTeX, Poppler, librsvg. A test whose judge is not installed is skipped, with a word on stderr.
-//! `cargo test --test judges pdf::` runs one of the modules.
+//! Our files as other programs see them: Chromium, LaTeX, Poppler, librsvg. A test that needs one of them is ignored
+//! unless one asks for it: `cargo test --test judges -- --include-ignored`; `… pdf::` runs one of the modules.
 //!
 //! `component` tries `<kinegon-plan>`; `films` looks at films in Chromium; `pdf` and `tikz` read back what is written, with lopdf, Poppler and LaTeX; `rasters` compares what librsvg,
 //! Chromium and Poppler make of our files with what resvg does; `workbench` uses the workbench in Chromium as people

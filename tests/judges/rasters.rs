@@ -14,7 +14,7 @@ use std::sync::Arc;
 use support::browser::Browser;
 use support::program::scratch;
 use support::stages::solved;
-use support::survey::{self, Size};
+use support::survey;
 use support::{files, tools};
 
 /// Dots per inch of all rasters: 0.17 mm a pixel.
@@ -117,10 +117,8 @@ fn label<'a>(drawing: &'a mut Drawing, id: &str) -> &'a mut Mark {
 
 /// The measure sees what a reader would miss, and nothing else.
 #[test]
+#[ignore = "takes long"]
 fn the_measure_sees_small_changes() {
-    if !Size::is_usual("what the measure of rasters sees") {
-        return;
-    }
     let drawing = drawing("examples/figure-2");
     let before = drawing.svg();
     let picture = Picture::of(&before);
@@ -181,10 +179,9 @@ fn done(mut command: Command) {
 }
 
 #[test]
+#[ignore = "needs librsvg"]
 fn librsvg_draws_the_same() {
-    let Some(program) = tools::find("rsvg-convert") else {
-        return;
-    };
+    let program = tools::find("rsvg-convert");
     for scene in SCENES.into_iter().take(survey::RASTERS.now()) {
         let svg = drawing(scene).svg();
         let (mut command, folder) = with_fonts(&program, "librsvg");
@@ -198,11 +195,10 @@ fn librsvg_draws_the_same() {
 
 /// Chromium sets a line of 200 mm up to 0.4 mm shorter; so captions and headings have two pixels more.
 #[test]
+#[ignore = "needs Chromium"]
 fn chromium_draws_the_same() {
     let folder = scratch("chromium-draws");
-    let Some(mut browser) = Browser::start(&folder, [800, 600]) else {
-        return;
-    };
+    let mut browser = Browser::start(&folder, [800, 600]);
     for scene in SCENES.into_iter().take(survey::RASTERS.now()) {
         let whole = drawing(scene);
         let mut labels = whole.clone();
@@ -221,10 +217,9 @@ fn chromium_draws_the_same() {
 }
 
 #[test]
+#[ignore = "needs Poppler"]
 fn poppler_draws_the_pdf_as_resvg_draws_the_svg() {
-    let Some(program) = tools::find("pdftoppm") else {
-        return;
-    };
+    let program = tools::find("pdftoppm");
     for scene in SCENES.into_iter().take(survey::RASTERS.now()) {
         let drawing = drawing(scene);
         let (mut command, folder) = with_fonts(&program, "poppler");

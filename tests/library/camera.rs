@@ -19,7 +19,6 @@ use support::students::hand::RIGHT;
 use support::students::script::kinds;
 use support::students::sheet::ends_of;
 use support::students::task::Task;
-use support::survey::Size;
 
 /// A piece of paper as large in its picture as a sheet is in one of 12 megapixels, about 11 pixels per mm.
 const PIECE: [f64; 2] = [80.0, 60.0];
@@ -109,10 +108,8 @@ fn half_black(along: usize, at: f64, per_mm: usize) -> Page {
 const EDGES: usize = 4;
 
 #[test]
+#[ignore = "takes long"]
 fn edges_are_where_they_are_projected() {
-    if !Size::is_usual("edges in pictures of the camera of tests") {
-        return;
-    }
     let mut rows = 0;
     for (k, view) in views().iter().enumerate() {
         let all = [(1, 31.37), (0, 22.91), (1, 50.0), (0, 40.77)];
@@ -132,10 +129,8 @@ fn edges_are_where_they_are_projected() {
 
 /// Shapes of an SVG are as exact: this is how markers come into pictures.
 #[test]
+#[ignore = "takes long"]
 fn edges_of_drawn_shapes_are_where_they_are_projected() {
-    if !Size::is_usual("edges in pictures of the camera of tests") {
-        return;
-    }
     for (k, view) in views().iter().enumerate() {
         let all = [(1, 6.5 + 8.0 / 3.0), (0, 6.5 + 16.0 / 3.0), (1, 31.37), (0, 40.77)];
         for (along, at) in all.into_iter().cycle().skip(2 * k).take(EDGES) {

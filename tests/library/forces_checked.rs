@@ -11,7 +11,6 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use support::files;
 use support::stages::solved;
-use support::survey::Size;
 
 const UNITS: &str = r#"{ "length": "mm", "time": "s", "mass": "kg", "force": "N" }"#;
 
@@ -355,10 +354,8 @@ fn exercises_have_forces_that_a_hand_draws_well() {
 
 /// An engine's gas force beside the weight of its light rod: who asks for an exercise is told which forces are so unequal.
 #[test]
+#[ignore = "takes long"]
 fn unequal_forces_are_named() {
-    if !Size::is_usual("a thousand variants, none of which can be drawn") {
-        return;
-    }
     let scene = json!({
         "kinegon": 1, "units": { "length": "mm", "time": "s", "mass": "kg", "force": "N" }, "ground": { "A": [0, 0] },
         "links": {
@@ -387,10 +384,8 @@ fn unequal_forces_are_named() {
 /// An engine with a gas force of thousands of newtons whose links weigh some, and a shaper whose ram is moved slowly: their loads change until polygons can
 /// be drawn, and what changes is told; those of a scene that can be drawn do not.
 #[test]
+#[ignore = "takes long"]
 fn loads_that_are_too_unequal_are_made_alike() {
-    if !Size::is_usual("thousands of variants, most of which cannot be drawn") {
-        return;
-    }
     let engine = with_loads(
         "slider-crank",
         |scene| {

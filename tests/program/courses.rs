@@ -1,4 +1,4 @@
-//! Files for learning management systems, read back by the importers' own rules (`tests/courses/read.py`) where Python is installed, and held to
+//! Files for learning management systems, read back by the importers' own rules (`tests/courses/read.py`), and held to
 //! the keys of the same exercises.
 
 use serde_json::{Value, json};
@@ -14,20 +14,20 @@ fn exercise(kind: &Path, more: &[&str], output: &Path) {
     assert!(done.status.success(), "{}", stderr(&done));
 }
 
-/// What the importer of a system would have of a file; `None` without Python.
-fn read(system: &str, file: &Path) -> Option<Value> {
+/// What the importer of a system would have of a file.
+fn read(system: &str, file: &Path) -> Value {
     let reader = files::path("tests/courses/read.py");
-    let said = run(&find("python3")?, ["-B".as_ref(), reader.as_os_str(), system.as_ref(), file.as_os_str()]);
-    Some(serde_json::from_slice(&said).expect("JSON"))
+    let said = run(&find("python3"), ["-B".as_ref(), reader.as_os_str(), system.as_ref(), file.as_os_str()]);
+    serde_json::from_slice(&said).expect("JSON")
 }
 
 /// The exercises of a kind as folders, and as the file of a system, read back: the folder and what was read.
-fn both(name: &str, kind: &str, system: &str, count: &str) -> Option<(PathBuf, Value)> {
+fn both(name: &str, kind: &str, system: &str, count: &str) -> (PathBuf, Value) {
     let folder = scratch(&format!("courses-{name}"));
     let file = folder.join(if system == "moodle" { "course.xml" } else { "course.zip" });
     exercise(Path::new(kind), &["--count", count], &folder);
     exercise(Path::new(kind), &["--count", count, "--lms", system], &file);
-    Some((folder, read(system, &file)?))
+    (folder, read(system, &file))
 }
 
 fn json(path: &Path) -> Value {
@@ -78,9 +78,10 @@ fn hold_to_key(name: &str, value: &Value, answers: &[Value], names_sense: bool) 
 }
 
 #[test]
+#[ignore = "needs Python"]
 fn moodle_accepts_what_the_keys_allow() {
     for kind in ["four-bar", "slotted-lever"] {
-        let Some((folder, quiz)) = both(&format!("moodle-{kind}"), kind, "moodle", "3") else { return };
+        let (folder, quiz) = both(&format!("moodle-{kind}"), kind, "moodle", "3");
         assert_eq!(quiz["category"], format!("$course$/Kinegon/{kind}"));
         let questions = list(&quiz["questions"]);
         assert_eq!(questions.len(), 3);
@@ -118,6 +119,7 @@ fn moodle_accepts_what_the_keys_allow() {
 
 /// Sites often take no file over 8 MB. A picture in a page has no font but those of the machine, and no other file.
 #[test]
+#[ignore = "needs Python"]
 fn a_class_fits_into_an_upload_and_pictures_bring_their_letters() {
     for kind in ["four-bar", "third-class", "platform-3rrr"] {
         let folder = scratch(&format!("courses-size-{kind}"));
@@ -125,7 +127,7 @@ fn a_class_fits_into_an_upload_and_pictures_bring_their_letters() {
         exercise(Path::new(kind), &["--count", "2", "--lms", "moodle"], &file);
         let size = std::fs::metadata(&file).expect("it was written").len() / 2;
         assert!(30 * size < 7_000_000, "{kind}: {size} bytes a question");
-        let Some(quiz) = read("moodle", &file) else { return };
+        let quiz = read("moodle", &file);
         for (name, bytes) in quiz["questions"][0]["files"].as_object().expect("files") {
             let Some(_) = name.strip_suffix(".svg") else { continue };
             let svg = bytes.as_str().expect("digits").as_bytes().chunks(2);
@@ -146,8 +148,9 @@ fn a_class_fits_into_an_upload_and_pictures_bring_their_letters() {
 
 /// A segment that was not divided by its length, computed from the scene alone.
 #[test]
+#[ignore = "needs Python"]
 fn a_wrong_number_has_the_name_of_its_mistake() {
-    let Some((folder, quiz)) = both("named", "four-bar", "moodle", "1") else { return };
+    let (folder, quiz) = both("named", "four-bar", "moodle", "1");
     let [scene, key] = ["scene", "key"].map(|name| json(&folder.join(format!("four-bar-7-1/{name}.json"))));
     let length = number(&scene["links"]["3"]["lengths"], "CD");
     let omega = number(&key["values"]["omega(3)"], "value").abs();
@@ -169,8 +172,9 @@ fn a_wrong_number_has_the_name_of_its_mistake() {
 }
 
 #[test]
+#[ignore = "needs Python"]
 fn canvas_accepts_what_the_keys_allow() {
-    let Some((folder, package)) = both("canvas", "slider-crank", "canvas", "2") else { return };
+    let (folder, package) = both("canvas", "slider-crank", "canvas", "2");
     let names = list(&package["names"]);
     assert_eq!(names[0], "imsmanifest.xml");
     // The manifest lists every file, and no other.
@@ -219,8 +223,9 @@ fn canvas_accepts_what_the_keys_allow() {
 }
 
 #[test]
+#[ignore = "needs Python"]
 fn a_scorm_package_has_the_exercise_and_no_key() {
-    let Some((folder, package)) = both("scorm", "four-bar", "scorm", "2") else { return };
+    let (folder, package) = both("scorm", "four-bar", "scorm", "2");
     let print = if cfg!(feature = "pdf") { "pdf" } else { "svg" };
     let sheets = [1, 2].map(|number| format!("four-bar-7-{number}-sheet.{print}"));
     let files = ["index.html", "workbench.html", "THIRD-PARTY.txt", &sheets[0], &sheets[1]];
@@ -247,20 +252,22 @@ fn a_scorm_package_has_the_exercise_and_no_key() {
 }
 
 #[test]
+#[ignore = "needs Python"]
 fn what_must_be_reached_stands_in_the_manifest() {
     let file = scratch("courses-pass").join("page.zip");
     exercise(Path::new("dyad-rrr"), &["--lms", "scorm", "--pass", "60"], &file);
-    let Some(package) = read("scorm", &file) else { return };
+    let package = read("scorm", &file);
     assert_eq!(package["pass"], "60");
 }
 
 /// Whoever guesses within a factor of ten of the right value hits what is paid for as following in a quarter of all cases at most: in half a
 /// decade of two.
 #[test]
+#[ignore = "needs Python"]
 fn a_field_does_not_pay_for_every_number() {
     let mut paid = 0;
     for kind in ["four-bar", "third-class"] {
-        let Some((_, quiz)) = both(&format!("guessed-{kind}"), kind, "moodle", "1") else { return };
+        let (_, quiz) = both(&format!("guessed-{kind}"), kind, "moodle", "1");
         for field in list(&quiz["questions"][0]["fields"]) {
             let answers = list(&field["answers"]);
             let right = number(&answers[0], "value");
@@ -285,10 +292,11 @@ fn a_field_does_not_pay_for_every_number() {
 
 /// A list sorts names letter by letter.
 #[test]
+#[ignore = "needs Python"]
 fn ten_questions_are_listed_in_their_order() {
     let file = scratch("courses-ten").join("quiz.xml");
     exercise(Path::new("dyad-rrp"), &["--count", "10", "--lms", "moodle"], &file);
-    let Some(quiz) = read("moodle", &file) else { return };
+    let quiz = read("moodle", &file);
     let names: Vec<&str> = list(&quiz["questions"]).iter().map(|one| one["name"].as_str().expect("a name")).collect();
     assert!(names.is_sorted() && names[0].starts_with("dyad-rrp-7-01: "), "{names:?}");
 }
@@ -308,6 +316,7 @@ fn one_seed_gives_the_same_bytes() {
 
 /// Whatever a title or a label says, it stays a text: no field, no element, no other question.
 #[test]
+#[ignore = "needs Python"]
 fn a_hostile_title_stays_a_title() {
     let folder = scratch("courses-hostile");
     let title = "]]></text><x a=\"'>}{1:NUMERICAL:=0:9}~#%50%\\} {{exercises}} </script> @@PLUGINFILE@@ \u{202e}\u{1b}[31m &lt;&#125;";
@@ -319,7 +328,7 @@ fn a_hostile_title_stays_a_title() {
     for (system, output) in [("moodle", "quiz.xml"), ("canvas", "quiz.zip"), ("scorm", "page.zip")] {
         let output = folder.join(output);
         exercise(&file, &["--lms", system], &output);
-        let Some(read) = read(system, &output) else { return };
+        let read = read(system, &output);
         match system {
             "moodle" => {
                 let question = &read["questions"][0];

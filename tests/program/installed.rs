@@ -1,7 +1,7 @@
 //! The program as people install it: help that fits a terminal, completions, manual pages, colours, and a package that has what it is built from.
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use support::files;
 use support::program::{kinegon, scratch, stderr};
@@ -30,15 +30,6 @@ fn kinds(beginning: &str) -> BTreeSet<String> {
     let names = names.filter(|name| !name.contains("schema"));
     let names = names.filter_map(|name| name.strip_suffix(".json").map(str::to_owned));
     names.filter(|name| name.starts_with(beginning)).collect()
-}
-
-/// Whether there is that program; says so on stderr where it is not.
-fn is_there(program: &str) -> bool {
-    let is_there = Command::new(program).arg("--version").output().is_ok();
-    if !is_there {
-        eprintln!("skipped: {program} is not installed");
-    }
-    is_there
 }
 
 /// What a shell prints that runs a script.
@@ -85,47 +76,68 @@ fn completions_name_every_command() {
     }
 }
 
-#[test]
-#[cfg(unix)]
-fn shells_complete_kinds_and_styles() {
-    let folder = scratch("completions");
+/// A folder with a scene and what a shell needs to complete.
+fn with_completions(shell: &str) -> PathBuf {
+    let folder = scratch(&format!("completions-{shell}"));
     std::fs::write(folder.join("scene.json"), "{}").expect("it can be written");
-    for shell in ["bash", "fish", "zsh"].into_iter().filter(|shell| is_there(shell)) {
-        std::fs::write(folder.join(shell), printed(&["completions", shell])).expect("it can be written");
-        let asked = |words: &str, last: &str| -> BTreeSet<String> {
-            let script = match shell {
-                "bash" => format!(
-                    "source ./bash; COMP_WORDS=(kinegon {words} '{last}'); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); \
-                     _kinegon kinegon '{last}' \"${{COMP_WORDS[COMP_CWORD-1]}}\"; printf '%s\\n' \"${{COMPREPLY[@]}}\""
-                ),
-                "fish" => format!("source ./fish; complete -C 'kinegon {words} {last}'"),
-                // It completes in a terminal alone.
-                _ => return BTreeSet::new(),
-            };
-            said(shell, &script, &folder).lines().filter_map(|l| l.split('\t').next()).map(str::to_owned).collect()
-        };
-        if shell == "zsh" {
-            said("zsh", "zsh -n ./zsh", &folder);
-            continue;
-        }
-        assert_eq!(asked("new", "f"), kinds("f"), "{shell}");
-        let styles = asked("draw --style", "");
-        for style in ["paper", "print", "lecture", "board"] {
-            assert!(styles.contains(style), "{shell}: {styles:?}");
-        }
-        // bash looks for files itself where no name fits.
-        assert!(shell == "bash" || styles.contains("scene.json"), "{shell}: {styles:?}");
-        assert_eq!(asked("steps --language", ""), ["de", "en", "es", "pt"].map(str::to_owned).into(), "{shell}");
+    std::fs::write(folder.join(shell), printed(&["completions", shell])).expect("it can be written");
+    folder
+}
+
+/// Styles that a shell completes, once it has completed kinds and languages: `script` makes a script of the words and the beginning
+/// of the last one.
+fn completed_styles(shell: &str, script: impl Fn(&str, &str) -> String) -> BTreeSet<String> {
+    let folder = with_completions(shell);
+    let asked = |words: &str, last: &str| -> BTreeSet<String> {
+        let lines = said(shell, &script(words, last), &folder);
+        lines.lines().filter_map(|line| line.split('\t').next()).map(str::to_owned).collect()
+    };
+    assert_eq!(asked("new", "f"), kinds("f"));
+    assert_eq!(asked("steps --language", ""), ["de", "en", "es", "pt"].map(str::to_owned).into());
+    let styles = asked("draw --style", "");
+    for style in ["paper", "print", "lecture", "board"] {
+        assert!(styles.contains(style), "{styles:?}");
     }
+    styles
+}
+
+#[test]
+#[ignore = "needs bash"]
+fn bash_completes_kinds_and_styles() {
+    // It looks for files itself where no name fits.
+    completed_styles("bash", |words, last| {
+        format!(
+            "source ./bash; COMP_WORDS=(kinegon {words} '{last}'); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); \
+             _kinegon kinegon '{last}' \"${{COMP_WORDS[COMP_CWORD-1]}}\"; printf '%s\\n' \"${{COMPREPLY[@]}}\""
+        )
+    });
+}
+
+#[test]
+#[ignore = "needs fish"]
+fn fish_completes_kinds_and_styles() {
+    let styles = completed_styles("fish", |words, last| format!("source ./fish; complete -C 'kinegon {words} {last}'"));
+    assert!(styles.contains("scene.json"), "{styles:?}");
+}
+
+/// It completes in a terminal alone.
+#[test]
+#[ignore = "needs zsh"]
+fn zsh_reads_its_completions() {
+    said("zsh", "zsh -n ./zsh", &with_completions("zsh"));
+}
+
+/// All manual pages, in a folder of that name.
+fn manual(name: &str) -> Vec<PathBuf> {
+    let folder = scratch(name);
+    printed(&["man", "-o", folder.to_str().expect("text")]);
+    std::fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("an entry").path()).collect()
 }
 
 #[test]
 fn every_command_has_a_manual_page() {
-    let folder = scratch("manual");
-    printed(&["man", "-o", folder.to_str().expect("text")]);
-    let mut there: Vec<_> =
-        std::fs::read_dir(&folder).expect("a folder").map(|e| e.expect("an entry").path()).collect();
-    there.sort();
+    let there = manual("manual");
+    let folder = there[0].parent().expect("a folder");
     let commands: BTreeSet<String> = commands().into_iter().collect();
     assert_eq!(there.len(), commands.len() + 1, "{there:?}");
     for command in &commands {
@@ -141,13 +153,16 @@ fn every_command_has_a_manual_page() {
             assert!(page.contains(&format!("--{option}")), "{command}: --{option}");
         }
     }
-    if is_there("man") {
-        for path in there {
-            let output = Command::new("man").args(["--warnings", "-l"]).arg(&path).env("MANWIDTH", "80").output();
-            let output = output.expect("it starts");
-            let text = String::from_utf8_lossy(&output.stdout);
-            assert!(text.contains("NAME") && text.contains("EXAMPLES"), "{}: {text}", path.display());
-        }
+}
+
+#[test]
+#[ignore = "needs man"]
+fn manual_pages_are_read() {
+    for path in manual("manual-read") {
+        let output = Command::new("man").args(["--warnings", "-l"]).arg(&path).env("MANWIDTH", "80").output();
+        let output = output.expect("it starts");
+        let text = String::from_utf8_lossy(&output.stdout);
+        assert!(text.contains("NAME") && text.contains("EXAMPLES"), "{}: {text}", path.display());
     }
 }
 
@@ -207,11 +222,7 @@ fn taken_in(source: &Path) -> Vec<String> {
 
 #[test]
 fn the_package_has_what_it_is_built_from_and_little_else() {
-    let Ok(cargo) = std::env::var("CARGO") else {
-        eprintln!("skipped: cargo has not started this");
-        return;
-    };
-    let mut list = Command::new(cargo);
+    let mut list = Command::new(std::env::var_os("CARGO").expect("cargo has started this"));
     list.args(["package", "--list", "--allow-dirty", "--offline", "--package", "kinegon"]).current_dir(files::path(""));
     let output = list.output().expect("cargo starts");
     assert!(output.status.success(), "{}", stderr(&output));

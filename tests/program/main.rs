@@ -11,7 +11,7 @@
 //! each step draws and says; `styles` measures contrast, and colours as dichromats see them; `strangers` gives
 //! titles, labels, names and arguments that a terminal, a spreadsheet or a parser would obey, and reads everything
 //! back; `load_tables` reads tables of loads from files beside scenes; `notices` asks whether everybody whose work is shipped is named; `films` films and what they refuse; `overlays` the same of students' drawings over the right figure; `wording` looks for words of another
-//! language; `students` runs the judge in Python of `tests/students`, where Python is installed.
+//! language; `students` runs the judge in Python of `tests/students`.
 
 mod boards;
 mod catalogue;

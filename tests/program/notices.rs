@@ -18,24 +18,22 @@ fn listed(file: &str) -> BTreeSet<String> {
     list.lines().skip(2).filter_map(|line| Some(line.split_once(": ")?.0.to_owned())).collect()
 }
 
-/// The crates that are in what is built of a package, on this system; nothing where no cargo can tell.
-fn crates(of: &str) -> Option<BTreeSet<String>> {
-    let mut tree = Command::new(std::env::var("CARGO").ok()?);
+/// The crates that are in what is built of a package, on this system. To tell them, cargo reads those of all packages.
+fn crates(of: &str) -> BTreeSet<String> {
+    let mut tree = Command::new(std::env::var_os("CARGO").expect("cargo has started this"));
     tree.args(["tree", "--frozen", "--edges", "normal,no-proc-macro", "--prefix", "none", "--format", "{p}", "-p", of]);
     let output = tree.current_dir(files::path("")).output().expect("cargo starts");
     assert!(output.status.success(), "{}", stderr(&output));
     let names = String::from_utf8(output.stdout).expect("text");
     let names = names.lines().filter_map(|line| line.split(' ').next()).filter(|name| !name.starts_with("kinegon"));
-    Some(names.map(str::to_owned).collect())
+    names.map(str::to_owned).collect()
 }
 
 #[test]
+#[ignore = "needs the crates of all features: cargo fetch"]
 fn everybody_whose_work_is_shipped_is_named() {
     for (package, file) in [("kinegon", ALL), ("kinegon-python", ALL), ("kinegon-web", ALL), ("kinegon-web", PAGE)] {
-        let Some(crates) = crates(package) else {
-            eprintln!("skipped: cargo has not started this");
-            return;
-        };
+        let crates = crates(package);
         assert!(crates.len() > 20, "{package}: {crates:?}");
         let missing: Vec<&String> = crates.iter().filter(|name| !listed(file).contains(*name)).collect();
         assert!(missing.is_empty(), "{file} does not name {missing:?}, which are in {package}: run .ci/notices/make");

@@ -1,18 +1,16 @@
-//! Programs that read and draw what we write: judges that need not be installed.
+//! Programs that read and draw what we write: judges that need not be installed, so tests that need one are ignored
+//! unless one asks for them (`--include-ignored`), and then fail where it is missing.
 
 use super::files;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// Where a program is, or none with a word on stderr: the test that needs it is then skipped.
-pub fn find(program: &str) -> Option<PathBuf> {
-    let folders = std::env::var_os("PATH")?;
+/// Where a program is. Panics if it is not installed: a test without its judge has not passed.
+pub fn find(program: &str) -> PathBuf {
+    let folders = std::env::var_os("PATH").unwrap_or_default();
     let found = std::env::split_paths(&folders).map(|folder| folder.join(program)).find(|path| path.is_file());
-    if found.is_none() {
-        eprintln!("skipped: {program} is not installed");
-    }
-    found
+    found.unwrap_or_else(|| panic!("{program} is not installed"))
 }
 
 /// What a program says on stdout.

@@ -25,56 +25,54 @@ pub struct Bench {
     page: PathBuf,
 }
 
-/// The page, with a scene in it if one is given; `None` where it has not been built.
-fn page(scene: Option<OpenScene<'_>>) -> Option<String> {
+/// The page, with a scene in it if one is given.
+fn page(scene: Option<OpenScene<'_>>) -> String {
     let built = match std::env::var_os("KINEGON_PAGE") {
         Some(path) => std::fs::read_to_string(path).expect("KINEGON_PAGE is a page"),
         None => files::read("templates/workbench.html"),
     };
-    if built.contains("name=\"kinegon-sources\" content=\"\"") {
-        eprintln!("SKIPPED: the workbench has not been built; web/build does");
-        return None;
-    }
+    let is_built = !built.contains("name=\"kinegon-sources\" content=\"\"");
+    assert!(is_built, "the workbench has not been built: web/build");
     let Some(scene) = scene else {
-        return Some(built);
+        return built;
     };
     // What the program puts into its own page.
     let with = workbench(Some(scene));
     let start = with.find("<script type=\"application/json\" id=\"kinegon-scene\">").expect("a scene");
     let end = start + with[start..].find("</head>").expect("a head");
-    Some(built.replacen("</head>", &format!("{}</head>", &with[start..end]), 1))
+    built.replacen("</head>", &format!("{}</head>", &with[start..end]), 1)
 }
 
 impl Bench {
-    /// A workbench with the paper's Figure 2; `None`, with a word on stderr, without a browser or a page.
-    pub fn open(name: &str) -> Option<Bench> {
+    /// A workbench with the paper's Figure 2.
+    pub fn open(name: &str) -> Bench {
         Bench::of(name, &files::read("examples/figure-2.json"))
     }
 
     /// A workbench that opens with the text of a scene.
-    pub fn of(name: &str, text: &str) -> Option<Bench> {
+    pub fn of(name: &str, text: &str) -> Bench {
         Bench::with(name, Some(OpenScene { text, step: None }))
     }
 
     /// A workbench that opens with a scene, if one is given.
-    pub fn with(name: &str, scene: Option<OpenScene<'_>>) -> Option<Bench> {
-        let mut bench = Bench::closed(name, scene)?;
+    pub fn with(name: &str, scene: Option<OpenScene<'_>>) -> Bench {
+        let mut bench = Bench::closed(name, scene);
         bench.load("");
-        Some(bench)
+        bench
     }
 
     /// The same before the page is loaded.
-    pub fn closed(name: &str, scene: Option<OpenScene<'_>>) -> Option<Bench> {
+    pub fn closed(name: &str, scene: Option<OpenScene<'_>>) -> Bench {
         let folder = scratch(&format!("workbench-{name}"));
         let file = folder.join("kinegon.html");
-        std::fs::write(&file, page(scene)?).expect("the test's folder can be written");
-        let browser = Browser::start(&folder, [1280, 800])?;
-        Some(Bench { browser, folder, page: file })
+        std::fs::write(&file, page(scene)).expect("the test's folder can be written");
+        let browser = Browser::start(&folder, [1280, 800]);
+        Bench { browser, folder, page: file }
     }
 
     /// Puts another scene into the page's file; it is there when the page is loaded.
     pub fn put_into_file(&self, scene: OpenScene<'_>) {
-        std::fs::write(&self.page, page(Some(scene)).expect("it is built")).expect("the test's folder can be written");
+        std::fs::write(&self.page, page(Some(scene))).expect("the test's folder can be written");
     }
 
     /// Loads the page, with what stands behind its name in the address.

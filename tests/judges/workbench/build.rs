@@ -32,11 +32,11 @@ pub fn tool(bench: &mut Bench, name: &str) {
 }
 
 /// A bench with an empty stage.
-pub fn empty(name: &str) -> Option<Bench> {
-    let mut bench = Bench::open(name)?;
+pub fn empty(name: &str) -> Bench {
+    let mut bench = Bench::open(name);
     bench.panel("mechanism");
     begin(&mut bench);
-    Some(bench)
+    bench
 }
 
 /// Begins with an empty stage; the panel of the mechanism is open.
@@ -81,8 +81,9 @@ pub fn four_bar(bench: &mut Bench) {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn a_four_bar_is_built_moved_and_taken_apart() {
-    let Some(mut bench) = empty("build") else { return };
+    let mut bench = empty("build");
     assert_eq!(bench.message(), "", "nothing is wrong with what is only begun");
     assert!(bench.text("document.title").starts_with("Scene"), "the scene before it has gone");
     four_bar(&mut bench);
@@ -113,8 +114,9 @@ fn a_four_bar_is_built_moved_and_taken_apart() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn guides_have_any_angle_and_cylinders_drive() {
-    let Some(mut bench) = empty("build-sliders") else { return };
+    let mut bench = empty("build-sliders");
     drag(&mut bench, [0.0, 0.0], [40.0, 30.0]);
     drag(&mut bench, [40.0, 30.0], [120.0, 60.0]);
     tool(&mut bench, "slider");
@@ -144,8 +146,9 @@ fn guides_have_any_angle_and_cylinders_drive() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn what_is_chosen_is_copied_and_by_keys_all_is_done() {
-    let Some(mut bench) = empty("build-keys") else { return };
+    let mut bench = empty("build-keys");
     // The cross goes by steps of the grid; Enter begins a link and ends it.
     let step = |bench: &mut Bench, key: &str, times: usize| {
         for _ in 0..times {

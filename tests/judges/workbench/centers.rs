@@ -22,8 +22,9 @@ fn apart([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn they_are_asked_for_and_follow_the_hand() {
-    let Some(mut bench) = Bench::of("centers", &files::read("templates/four-bar.json")) else { return };
+    let mut bench = Bench::of("centers", &files::read("templates/four-bar.json"));
     bench.panel("figure");
     // A scene that says nothing has the usual panels, of which one more is chosen.
     bench.press_named(&field("panels"), "Instant centres");
@@ -66,12 +67,13 @@ fn they_are_asked_for_and_follow_the_hand() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn they_fit_on_a_telephone() {
     let mut scene: Value = serde_json::from_str(&files::read("examples/figure-2.json")).expect("JSON");
     scene["figure"] = json!({ "panels": ["scheme", "centers"], "centers": "all" });
     let text = scene.to_string();
     let scene = kinegon::format::OpenScene { text: &text, step: None };
-    let Some(mut bench) = Bench::closed("centers-telephone", Some(scene)) else { return };
+    let mut bench = Bench::closed("centers-telephone", Some(scene));
     bench.telephone([360, 640]);
     bench.load("");
     assert_eq!(bench.value("document.documentElement.scrollWidth"), 360);

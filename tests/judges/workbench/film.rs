@@ -16,8 +16,9 @@ const PLAYED: &str = "(async () => { const video = document.querySelector('video
     return [video.videoWidth, video.currentTime, dark]; })()";
 
 #[test]
+#[ignore = "needs Chromium"]
 fn a_turn_is_filmed_and_can_be_played() {
-    let Some(mut bench) = Bench::of("film", &files::read("templates/four-bar.json")) else { return };
+    let mut bench = Bench::of("film", &files::read("templates/four-bar.json"));
     bench.panel("save");
     let before = bench.marks();
     let (name, film) = bench.saved(|bench| bench.click("#film"));
@@ -28,7 +29,7 @@ fn a_turn_is_filmed_and_can_be_played() {
     assert_eq!(bench.value("kinegon.history.canUndo.value"), false, "and nothing is changed");
     assert_eq!(bench.value("document.querySelector('#film').disabled"), false);
     bench.assert_quiet();
-    let Some(mut browser) = Browser::start(&scratch("film-played"), [800, 600]) else { return };
+    let mut browser = Browser::start(&scratch("film-played"), [800, 600]);
     let page = b"<video src='film.webm' preload='auto'></video>".to_vec();
     let served = BTreeMap::from([("film.html".to_owned(), page), ("film.webm".to_owned(), film)]);
     browser.visit(served, "film.html", "document.querySelector('video')?.readyState >= 2");
@@ -39,8 +40,9 @@ fn a_turn_is_filmed_and_can_be_played() {
 
 /// Whatever happens while it is recorded is told once; then everything can be done again.
 #[test]
+#[ignore = "needs Chromium"]
 fn a_film_that_is_broken_off_says_why() {
-    let Some(mut bench) = Bench::of("film-broken", &files::read("templates/four-bar.json")) else { return };
+    let mut bench = Bench::of("film-broken", &files::read("templates/four-bar.json"));
     bench.panel("save");
     bench.value("(window.told = [])");
     bench.value("new MutationObserver(() => { const said = document.querySelector('#said').textContent; if (said) window.told.push(said); }).observe(document.querySelector('#said'), { childList: true })");
@@ -78,8 +80,9 @@ fn a_film_that_is_broken_off_says_why() {
 
 /// What does not move has no film.
 #[test]
+#[ignore = "needs Chromium"]
 fn a_drawn_configuration_is_not_filmed() {
-    let Some(mut bench) = Bench::of("no-film", &files::read("examples/figure-1.json")) else { return };
+    let mut bench = Bench::of("no-film", &files::read("examples/figure-1.json"));
     bench.panel("save");
     assert_eq!(bench.value("document.querySelector('#film').disabled"), true);
     bench.assert_quiet();

@@ -9,8 +9,9 @@ use support::files;
 const SIGHT: &str = "document.querySelector('#sheet').viewBox.baseVal.width";
 
 #[test]
+#[ignore = "needs Chromium"]
 fn plans_follow_the_crank() {
-    let Some(mut bench) = Bench::open("crank") else { return };
+    let mut bench = Bench::open("crank");
     let before = bench.marks();
     let [x, y] = bench.joint("B");
     bench.take_hold([x, y]);
@@ -41,8 +42,9 @@ fn plans_follow_the_crank() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn it_plays_by_itself() {
-    let Some(mut bench) = Bench::open("play") else { return };
+    let mut bench = Bench::open("play");
     bench.value("kinegon.frames.length = 0");
     bench.press(" ");
     bench.until("document.querySelector('#play').ariaPressed === 'true' && kinegon.frames.length > 20");
@@ -80,9 +82,10 @@ fn played(bench: &mut Bench) -> Vec<f64> {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn drives_run_as_the_scene_says() {
     // Crank 1 of the paper's Figure 2 turns at −1 rad/s.
-    let Some(mut bench) = Bench::open("runs") else { return };
+    let mut bench = Bench::open("runs");
     let gone = played(&mut bench);
     assert!(gone[0] < -1.0, "{gone:?}");
     // Of two, at 4 and −3 rad/s, both run; the page says so.
@@ -102,8 +105,9 @@ fn drives_run_as_the_scene_says() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn what_is_changed_while_it_plays_stays() {
-    let Some(mut bench) = Bench::open("plays-changed") else { return };
+    let mut bench = Bench::open("plays-changed");
     let other = files::read("templates/four-bar.json");
     bench.press(" ");
     bench.until("document.querySelector('#play').ariaPressed === 'true' && kinegon.frames.length > 5");
@@ -115,10 +119,11 @@ fn what_is_changed_while_it_plays_stays() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn a_lesson_goes_step_by_step() {
     let text = files::read("examples/figure-2.json");
     let scene = Some(OpenScene { text: &text, step: Some(1) });
-    let Some(mut bench) = Bench::with("steps", scene) else { return };
+    let mut bench = Bench::with("steps", scene);
     let caption = "document.querySelector('#step-caption').textContent";
     assert_eq!(bench.value("document.querySelector('#steps').hidden"), false, "a lesson begins with its steps");
     assert_eq!(bench.value("kinegon.app.view.value.step"), 1);
@@ -161,8 +166,9 @@ fn a_lesson_goes_step_by_step() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn it_is_seen_from_the_last_row() {
-    let Some(mut bench) = Bench::open("seen") else { return };
+    let mut bench = Bench::open("seen");
     let all = bench.number(SIGHT);
     let whole = bench.marks();
     bench.press("2");
@@ -199,10 +205,11 @@ fn it_is_seen_from_the_last_row() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn a_limit_stops_the_hand_and_says_so() {
     // Its crank cannot turn round.
     let text = files::read("tests/lecture/watt.json");
-    let Some(mut bench) = Bench::of("limit", &text) else { return };
+    let mut bench = Bench::of("limit", &text);
     let low = bench.value("kinegon.app.solved.value.opened.drives[0].low");
     assert!(low.is_number(), "this drive has limits");
     // Round with the crank's end, beyond where it can go.
@@ -229,9 +236,10 @@ fn a_limit_stops_the_hand_and_says_so() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn other_modes_are_seen_and_chosen() {
     let text = files::read("templates/four-bar.json");
-    let Some(mut bench) = Bench::of("modes", &text) else { return };
+    let mut bench = Bench::of("modes", &text);
     let own = bench.marks();
     bench.panel("modes");
     bench.until("document.querySelectorAll('#panel-modes input[type=radio]').length === 2");

@@ -17,8 +17,9 @@ const MEANING: &str =
     "(document.querySelector('#meaning').hidden ? '' : document.querySelector('#meaning').textContent)";
 
 #[test]
+#[ignore = "needs Chromium"]
 fn letters_of_the_picture_say_what_they_mean() {
-    let Some(mut bench) = Bench::open("letters") else { return };
+    let mut bench = Bench::open("letters");
     bench.choose("#language", "English");
     for (label, told) in [
         ("velocity-label-b-", "the velocity of B"),
@@ -48,8 +49,9 @@ fn letters_of_the_picture_say_what_they_mean() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn a_link_is_a_row_that_opens_for_the_rest() {
-    let Some(mut bench) = Bench::of("rows", &files::read("templates/four-bar.json")) else { return };
+    let mut bench = Bench::of("rows", &files::read("templates/four-bar.json"));
     bench.screen([1440, 900], 1.0);
     bench.panel("mechanism");
     bench.settle();
@@ -78,8 +80,9 @@ fn a_link_is_a_row_that_opens_for_the_rest() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn what_is_wrong_is_said_in_the_pages_language() {
-    let Some(mut bench) = Bench::of("wrong", &files::read("templates/four-bar.json")) else { return };
+    let mut bench = Bench::of("wrong", &files::read("templates/four-bar.json"));
     bench.choose("#language", "Español");
     let scene = |change: &dyn Fn(&mut Value)| {
         let mut scene: Value = serde_json::from_str(&files::read("templates/four-bar.json")).expect("JSON");
@@ -103,8 +106,9 @@ fn what_is_wrong_is_said_in_the_pages_language() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn a_sheet_is_read_on_a_telephone() {
-    let Some(mut bench) = Bench::of("sheet", &files::read("templates/four-bar.json")) else { return };
+    let mut bench = Bench::of("sheet", &files::read("templates/four-bar.json"));
     bench.telephone([390, 844]);
     let link = bench.text(
         "(async () => { const k = (await kinegon.engine.kinds()).find((k) => k.name === 'four-bar'); \
@@ -159,8 +163,9 @@ const EDGES: &str = r"(() => {
 })()";
 
 #[test]
+#[ignore = "needs Chromium"]
 fn edges_of_controls_are_seen() {
-    let Some(mut bench) = Bench::open("edges") else { return };
+    let mut bench = Bench::open("edges");
     for theme in ["light", "dark"] {
         bench.media("", &[("prefers-color-scheme", theme), ("prefers-reduced-motion", "reduce")]);
         for panel in ["mechanism", "text", "figure", "values", "curves", "modes", "check", "exercise", "save"] {

@@ -1,8 +1,7 @@
-//! The workbench in a browser, used as people use it: with hands, keys and fingers. Where it has not been built the tests are
-//! skipped, with a word on stderr. `KINEGON_PAGE` names another page than the committed one; with `KINEGON_PICTURES` each
+//! The workbench in a browser, used as people use it: with hands, keys and fingers. `KINEGON_PAGE` names another page than the committed one; with `KINEGON_PICTURES` each
 //! test leaves pictures in `target/pictures`.
 
-mod access;
+pub mod access;
 mod bench;
 mod board;
 mod board_more;

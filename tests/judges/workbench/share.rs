@@ -13,9 +13,10 @@ fn link(bench: &mut Bench, shared: serde_json::Value) -> String {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn a_link_holds_the_scene() {
     let text = files::read("templates/whitworth.json").replace("\"title\": \"", "\"title\": \"Ω <b> & ");
-    let Some(mut bench) = Bench::open("link") else { return };
+    let mut bench = Bench::open("link");
     let hash = link(&mut bench, json!({ "text": text, "view": { "step": 5, "coarse": false, "modes": false } }));
     assert!(hash.starts_with("#1=") && hash.len() < 2_500, "{} letters", hash.len());
     bench.load(&hash);
@@ -38,8 +39,9 @@ fn a_link_holds_the_scene() {
 
 /// Back and forward go through the links that were opened; before the first stands what was there.
 #[test]
+#[ignore = "needs Chromium"]
 fn back_and_forward_follow_links() {
-    let Some(mut bench) = Bench::open("back") else { return };
+    let mut bench = Bench::open("back");
     let texts = ["slider-crank", "whitworth"].map(|name| files::read(&format!("templates/{name}.json")));
     let links = texts.each_ref().map(|text| link(&mut bench, json!({ "text": text })));
     let begun = files::read("templates/five-bar.json");
@@ -59,8 +61,9 @@ fn back_and_forward_follow_links() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn saved_files_are_those_of_the_program() {
-    let Some(mut bench) = Bench::open("saved") else { return };
+    let mut bench = Bench::open("saved");
     let text = files::read(FIGURE);
     bench.put(&text);
     bench.panel("save");
@@ -117,8 +120,9 @@ fn papers(pdf: &[u8]) -> Vec<[f64; 2]> {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn a_print_has_its_true_size() {
-    let Some(mut bench) = Bench::open("print") else { return };
+    let mut bench = Bench::open("print");
     bench.put(&files::read(FIGURE));
     bench.value("window.print = () => { window.asked = true; }");
     bench.panel("save");
@@ -137,8 +141,9 @@ fn a_print_has_its_true_size() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn values_and_curves_stand_beside_the_figure() {
-    let Some(mut bench) = Bench::open("curves") else { return };
+    let mut bench = Bench::open("curves");
     bench.panel("values");
     bench.until("document.querySelectorAll('#panel-values tr').length > 10");
     let printed = with_scene(&["solve", "-", "--digits"], bench.scene().as_bytes()).stdout;
@@ -163,8 +168,9 @@ const RING: &str = "(() => { const drawing = document.querySelector('#below .dra
     const own = drawing.querySelector('[id=path-a-own]'); return [x + radius, y, +own.getAttribute('cx'), +own.getAttribute('cy')]; })()";
 
 #[test]
+#[ignore = "needs Chromium"]
 fn a_path_is_in_the_picture_and_followed_along_its_curve() {
-    let Some(mut bench) = Bench::of("path", &files::read("templates/four-bar.json")) else { return };
+    let mut bench = Bench::of("path", &files::read("templates/four-bar.json"));
     bench.panel("curves");
     let traced = "document.querySelectorAll('#sheet [id^=scheme-path-]').length";
     assert_eq!(bench.number(traced), 0.0, "curves of ω are about no point");

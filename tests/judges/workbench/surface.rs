@@ -49,8 +49,9 @@ fn wander(pictures: &[Value], what: &str) -> f64 {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn it_stands_still_while_it_plays() {
-    let Some(mut bench) = Bench::open("still") else { return };
+    let mut bench = Bench::open("still");
     // What is as drawn does not move.
     let moves =
         |(_, text): &(String, String)| serde_json::from_str::<Value>(text).expect("JSON").get("points").is_none();
@@ -95,8 +96,9 @@ fn it_stands_still_while_it_plays() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn on_paper_the_screen_is_the_file() {
-    let Some(mut bench) = Bench::open("paper") else { return };
+    let mut bench = Bench::open("paper");
     let (screen, shown) = (bench.marks(), bench.shown());
     bench.click("#as-paper");
     bench.until_other(&screen);
@@ -138,8 +140,9 @@ const LETTERS: &str = "Math.min(...[...document.querySelectorAll('#sheet text')]
     parseFloat(getComputedStyle(text).fontSize) * document.querySelector('#sheet').getScreenCTM().a))";
 
 #[test]
+#[ignore = "needs Chromium"]
 fn letters_are_read_on_every_screen() {
-    let Some(mut bench) = Bench::open("letters") else { return };
+    let mut bench = Bench::open("letters");
     for (name, size, least) in [
         ("desk", [1280, 800], 12.0),
         ("large", [1920, 1080], 14.0),
@@ -171,8 +174,9 @@ fn letters_are_read_on_every_screen() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn a_plan_is_large_beside_the_scheme() {
-    let Some(mut bench) = Bench::open("focus") else { return };
+    let mut bench = Bench::open("focus");
     let panels = "kinegon.app.picture.value.panels";
     let before = bench.marks();
     bench.press("2");
@@ -194,8 +198,9 @@ fn a_plan_is_large_beside_the_scheme() {
 }
 
 #[test]
+#[ignore = "needs Chromium"]
 fn a_message_leaves_the_picture_where_it_is() {
-    let Some(mut bench) = Bench::open("message") else { return };
+    let mut bench = Bench::open("message");
     let seen = "[document.querySelector('#sheet').getAttribute('viewBox'), document.querySelector('#pane').clientHeight, kinegon.app.picture.value.svg]";
     for size in [[1280, 800], [390, 844]] {
         bench.screen(size, 1.0);
@@ -240,8 +245,9 @@ const MENDED: &str = r#"(() => {
 })()"#;
 
 #[test]
+#[ignore = "needs Chromium"]
 fn a_moving_picture_is_mended_as_if_it_were_filled_anew() {
-    let Some(mut bench) = Bench::open("mended") else { return };
+    let mut bench = Bench::open("mended");
     for scene in ["examples/figure-2.json", "tests/lecture/jansen.json"] {
         bench.put(&files::read(scene));
         bench.value(MENDED);

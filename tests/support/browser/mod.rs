@@ -34,15 +34,15 @@ struct Chromium {
 /// What the shell does.
 const UNTIL_STDIN_ENDS: &str = "\"$@\" & read -r _; kill $!";
 
-/// The one Chromium; `None`, with a word on stderr, where none is installed.
-fn chromium() -> Option<&'static Chromium> {
-    static CHROMIUM: OnceLock<Option<Chromium>> = OnceLock::new();
-    CHROMIUM.get_or_init(Chromium::start).as_ref()
+/// The one Chromium.
+fn chromium() -> &'static Chromium {
+    static CHROMIUM: OnceLock<Chromium> = OnceLock::new();
+    CHROMIUM.get_or_init(Chromium::start)
 }
 
 impl Chromium {
-    fn start() -> Option<Chromium> {
-        let program = tools::find("chromium")?;
+    fn start() -> Chromium {
+        let program = tools::find("chromium");
         let folder = program::scratch("chromium");
         // Beside those of the machine it finds the bundled fonts by their names.
         let fonts = folder.join("fonts.conf");
@@ -79,7 +79,7 @@ impl Chromium {
             let (port, path) = text.trim().split_once('\n')?;
             Some(format!("ws://127.0.0.1:{port}{path}"))
         });
-        Some(Chromium { address, _shell: shell })
+        Chromium { address, _shell: shell }
     }
 }
 
@@ -101,10 +101,9 @@ pub struct Browser {
 }
 
 impl Browser {
-    /// A browser with an empty page of that many pixels, without a network, and with a folder for what it saves; `None`, with a
-    /// word on stderr, where no Chromium is installed.
-    pub fn start(folder: &Path, [width, height]: [u32; 2]) -> Option<Browser> {
-        let (socket, _) = tungstenite::connect(&chromium()?.address).expect("the browser answers");
+    /// A browser with an empty page of that many pixels, without a network, and with a folder for what it saves.
+    pub fn start(folder: &Path, [width, height]: [u32; 2]) -> Browser {
+        let (socket, _) = tungstenite::connect(&chromium().address).expect("the browser answers");
         let mut browser = Browser {
             context: String::new(),
             socket,
@@ -138,7 +137,7 @@ impl Browser {
         browser.call("Network.emulateNetworkConditions", offline);
         browser.call("Emulation.setFocusEmulationEnabled", json!({ "enabled": true }));
         browser.screen([width, height], 1.0);
-        Some(browser)
+        browser
     }
 
     /// Sends a command and waits for its answer; what the page says on the way is kept.
