@@ -84,7 +84,7 @@ pub use message::Message;
 pub use problem::Problem;
 pub use scene::Scene;
 pub use sheet::{Order, PerSheet, Scales, Sheet, SheetFacts};
-pub use solve::{order_of_figure, order_of_result, posed, solve};
+pub use solve::{order_of_figure, posed, solve};
 
 // The Rust of README.md and of the guide is run as it stands there.
 #[cfg(doctest)]

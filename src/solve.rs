@@ -2,7 +2,7 @@ use crate::Error;
 use crate::construction::Solution;
 use crate::mechanism::{Mechanism, mechanism};
 use crate::position::{Pose, numbered_pose, pose, with_nearest_sides};
-use crate::scene::{QuantityName, Scene, SizeLimit};
+use crate::scene::{Scene, SizeLimit};
 use crate::sheet::{Order, Sheet};
 
 /// Solves a scene: position, velocities, accelerations and both plans.
@@ -34,19 +34,6 @@ pub fn posed(scene: &Scene, limit: SizeLimit, mode: Option<usize>) -> Result<(Me
         None => pose(&mechanism, &scene.near)?,
     };
     Ok((mechanism, pose))
-}
-
-/// The order of the motion that a scene's result needs: accelerations unless `want` names only quantities without them.
-#[must_use]
-pub fn order_of_result(scene: &Scene) -> Order {
-    match &scene.want {
-        Some(want)
-            if !want.iter().filter_map(|name| QuantityName::parse(name)).any(|name| name.needs_accelerations()) =>
-        {
-            Order::Velocity
-        }
-        _ => Order::Acceleration,
-    }
 }
 
 /// The order of the motion that a scene's figure needs: accelerations only if it shows them.

@@ -9,11 +9,11 @@ use crate::solution::{Solution, ValueOf, tolerance};
 use crate::sweep::{Extremes, extremes_of, table, table_of};
 use crate::table::Table;
 use crate::wanted::Wanted;
+use kinegon::Order;
 use kinegon::drawing::Timing;
 use kinegon::format::{self, json_line};
 use kinegon::mechanism::mechanism;
 use kinegon::words::Wording;
-use kinegon::{Order, order_of_result};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -63,7 +63,7 @@ impl Solution {
     /// The result file of `kinegon solve`, as JSON.
     fn result(&self, py: Python<'_>) -> PyResult<String> {
         let result = py.detach(|| {
-            let solution = self.solved(order_of_result(&self.scene.scene))?;
+            let solution = self.solved(Order::Acceleration)?;
             solution.whole_result().map(|result| json_line(&result)).map_err(|error| self.scene.refused(error))
         });
         Ok(result?)
@@ -75,12 +75,12 @@ impl Solution {
 
     /// The table of `kinegon solve --digits`.
     fn digits(&self, py: Python<'_>) -> PyResult<String> {
-        Ok(py.detach(|| self.solved(order_of_result(&self.scene.scene)).map(|solution| solution.digits()))?)
+        Ok(py.detach(|| self.solved(Order::Acceleration).map(|solution| solution.digits()))?)
     }
 
     /// The warnings of all stages, and of panels that are cut off.
     fn warnings(&self) -> PyResult<Vec<String>> {
-        let solution = self.solved(order_of_result(&self.scene.scene))?;
+        let solution = self.solved(Order::Acceleration)?;
         Ok(solution.warnings().collect())
     }
 

@@ -8,10 +8,10 @@ use kinegon::drawing::{Drawing, FigureSheets, Film, Style, Timing};
 use kinegon::editing::with_mode;
 use kinegon::format::{OpenScene, workbench};
 use kinegon::mechanism::Mechanism;
+use kinegon::order_of_figure;
 use kinegon::position::Pose;
 use kinegon::quantity::{Quantity, QuantityRequest, step_pencil};
 use kinegon::scene::SizeLimit;
-use kinegon::{order_of_figure, order_of_result};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 use std::sync::OnceLock;
@@ -36,7 +36,7 @@ impl Solution {
         let (mechanism, pose) = scene.posed(SizeLimit::NUMBERS, mode)?;
         let scene = Scene { text: scene.text.clone(), is_seen: scene.is_seen, scene: scene.scene.clone() };
         let solution = Solution { scene, mode, mechanism, pose, solved: Default::default() };
-        solution.solved(order_of_result(&solution.scene.scene))?;
+        solution.solved(Order::Acceleration)?;
         Ok(solution)
     }
 

@@ -55,6 +55,8 @@ messages! { "check":
     power;
 
     // Tables.
+    open_quotation;
+    close_quotation;
     no_table(error);
     write_lines;
     no_sense(text);

@@ -32,6 +32,11 @@ impl Measured {
                 record.map_err(|error| CheckError::new(says::no_table(error.to_string()), says::write_lines()))?;
             let line = record.position().map_or(0, |p| p.line());
             let place = says::line(line);
+            // A quotation mark that is never closed takes all the lines that follow into one cell.
+            if record.iter().any(|cell| cell.contains('\n')) {
+                measured.faults.push(CheckError::new(says::open_quotation(), says::close_quotation()).at(&place));
+                continue;
+            }
             let cells: Vec<&str> = record.iter().collect();
             let cells = rejoined(&cells);
             let cell = |index: usize| cells.get(index).map_or("", String::as_str);

@@ -13,9 +13,9 @@ use crate::cycle::Traces;
 use crate::drawing::{Drawing, FigureSheets, Steps};
 use crate::editing::{with_figure, with_mode};
 use crate::format::{OpenScene, workbench};
+use crate::order_of_figure;
 use crate::scene::{Figure, LengthUnit, Scene, SizeLimit, StyleName, ValuesShown};
 use crate::sheet::{Order, Sheet};
-use crate::{order_of_figure, order_of_result};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -117,7 +117,7 @@ impl Draw {
         let scenes = match &scene {
             Some(path) => vec![(stem(path), files::read(path)?)],
             None => {
-                let source = |name: &str, text: &str| Source { name: format!("{name}.json"), text: text.to_owned() };
+                let source = |name: &str, text: &str| Source::new(format!("{name}.json"), text.to_owned());
                 PAPER.map(|(name, text)| (name.to_owned(), source(name, text))).to_vec()
             }
         };
@@ -343,7 +343,7 @@ impl Draw {
         let digits = count.to_string().len().max(2);
         let scene = &solution.scene;
         // `steps` counts on through the plan of accelerations, for which the figure may have no panel.
-        let has_more = order_of_figure(scene) == Order::Velocity && order_of_result(scene) == Order::Acceleration;
+        let has_more = order_of_figure(scene) == Order::Velocity;
         if let Some(step) = wanted.filter(|step| !(1..=count).contains(step)) {
             let listed = match has_more {
                 true => " in the figure's panels; `kinegon steps` also lists those of the acceleration plan",

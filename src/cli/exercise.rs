@@ -141,7 +141,7 @@ impl ExerciseCommand {
     /// The scene that is varied, and the name of its exercises.
     fn source(&self) -> Result<(String, Source), Failure> {
         if let Some(Kind { name, text }) = Kind::named(&self.kind) {
-            return Ok((name.to_owned(), Source { name: name.to_owned(), text }));
+            return Ok((name.to_owned(), Source::new(name.to_owned(), text)));
         }
         let path = Path::new(&self.kind);
         if !path.is_file() {

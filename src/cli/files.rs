@@ -1,6 +1,6 @@
 use super::message::{Failure, Source, refuse};
 use super::output::{Stream, write_file};
-use super::tables::with_tables;
+use super::tables::put_tables;
 use crate::scene::{MAX_BYTES, Scene};
 use crate::text;
 use encoding_rs::{Encoding, UTF_16BE, UTF_16LE, WINDOWS_1252};
@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 /// Reads a scene's text from a file, or from stdin for `-`.
 pub(super) fn read(path: &Path) -> Result<Source, Failure> {
-    with_tables(read_text("scene", path)?, path)
+    put_tables(read_text("scene", path)?, path)
 }
 
 /// Reads a scene from a file, or from stdin for `-`.
@@ -20,13 +20,51 @@ pub(super) fn read_scene(path: &Path) -> Result<(Source, Scene), Failure> {
     Ok((source, scene))
 }
 
+/// Most bytes of a text.
+pub(super) const MOST: u64 = MAX_BYTES as u64;
+
+/// Why a file that no argument names is not read. Displayed as what is said of the file: `is a folder`.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum Unread {
+    #[error("is outside of its folder")]
+    Outside,
+    #[error("is a folder")]
+    Folder,
+    #[error("is a pipe or a device, and no file")]
+    Special,
+    #[error("is larger than {} MB", .0 >> 20)]
+    Large(u64),
+    #[error("cannot be read: {0}")]
+    Failed(#[from] io::Error),
+}
+
+/// The bytes of a file that no argument names: another file names it, or it was found in a folder. Such a path may lead anywhere, and
+/// was written by somebody else. So `-` is a file's name and not stdin; what is no regular file is not opened, for that could block or
+/// never end; the file has `most` bytes at most; and `below` is the folder in which it must lie, after all links, if there is one.
+pub(super) fn read_unnamed(path: &Path, below: Option<&Path>, most: u64) -> Result<Vec<u8>, Unread> {
+    let found = fs::metadata(path)?;
+    if below.is_some_and(|folder| !is_below(path, folder)) {
+        return Err(Unread::Outside);
+    }
+    if !found.is_file() {
+        return Err(if found.is_dir() { Unread::Folder } else { Unread::Special });
+    }
+    if found.len() > most {
+        return Err(Unread::Large(most));
+    }
+    let mut bytes = Vec::new();
+    // Somebody may write to it in the meantime.
+    fs::File::open(path)?.take(most + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most { Err(Unread::Large(most)) } else { Ok(bytes) }
+}
+
 /// Reads a file, or stdin for `-`: its name in messages and its bytes.
 fn read_bytes(what: &str, path: &Path) -> Result<(String, Vec<u8>), Failure> {
     let from_stdin = path == Path::new("-");
     let name = if from_stdin { "stdin".to_owned() } else { path.display().to_string() };
     let mut bytes = Vec::new();
     // One byte more than is allowed, so that a larger file is refused without reading all of it.
-    let limit = MAX_BYTES as u64 + 1;
+    let limit = MOST + 1;
     let read = match from_stdin {
         true => io::stdin().take(limit).read_to_end(&mut bytes),
         false => fs::File::open(path).and_then(|file| file.take(limit).read_to_end(&mut bytes)),
@@ -46,7 +84,7 @@ fn read_bytes(what: &str, path: &Path) -> Result<(String, Vec<u8>), Failure> {
 pub(super) fn read_form(path: &Path) -> Result<Source, Failure> {
     let (name, bytes) = read_bytes("form", path)?;
     match decoded(bytes) {
-        Some(text) => Ok(Source { name, text }),
+        Some(text) => Ok(Source::new(name, text)),
         None => refuse(format!("{name} is no text"), "save the form as CSV UTF-8 or as JSON"),
     }
 }
@@ -56,7 +94,7 @@ const LOOKED_AT: usize = 4096;
 
 /// The text of these bytes: in the encoding that a byte order mark at their start names, else UTF-8, UTF-16 by its
 /// zeros, or else Windows-1252, which spreadsheets in Western Europe and America write. `None` for bytes of no text.
-fn decoded(bytes: Vec<u8>) -> Option<String> {
+pub(super) fn decoded(bytes: Vec<u8>) -> Option<String> {
     let marked = Encoding::for_bom(&bytes).map(|(encoding, _)| encoding);
     let text = match marked.or_else(|| by_zeros(&bytes)) {
         Some(encoding) => encoding.decode(&bytes).0.into_owned(),
@@ -84,8 +122,13 @@ fn by_zeros(bytes: &[u8]) -> Option<&'static Encoding> {
 /// Reads a text from a file, or from stdin for `-`; `what` is its name in messages.
 pub(super) fn read_text(what: &str, path: &Path) -> Result<Source, Failure> {
     let (name, bytes) = read_bytes(what, path)?;
+    utf8(what, name, bytes)
+}
+
+/// The text of a file of this name whose bytes were read.
+pub(super) fn utf8(what: &str, name: String, bytes: Vec<u8>) -> Result<Source, Failure> {
     match String::from_utf8(bytes) {
-        Ok(text) => Ok(Source { name, text }),
+        Ok(text) => Ok(Source::new(name, text)),
         Err(error) => {
             let at = error.utf8_error().valid_up_to();
             let message = format!("{name} is not text in UTF-8: byte {at} does not belong");

@@ -1,3 +1,4 @@
+use super::tables::{Given, Told};
 use crate::Message;
 use crate::check::CheckError;
 use crate::cycle::CycleError;
@@ -16,12 +17,25 @@ pub struct Source {
     pub name: String,
     /// The whole text.
     pub text: String,
+    /// What stands in the file, where tables from other files were written into the text.
+    pub given: Option<Box<Given>>,
 }
 
 impl Source {
+    pub(super) fn new(name: String, text: String) -> Source {
+        Source { name, text, given: None }
+    }
+
     /// The failure of an error in this text.
     pub(super) fn fail(&self, error: impl Into<Error>) -> Failure {
-        Failure::Scene(self.clone(), Box::new(error.into()))
+        let error = error.into();
+        let Some(given) = &self.given else { return Failure::Scene(self.clone(), Box::new(error)) };
+        let error = match error.in_scene().map(|finding| given.told(finding, &self.text)) {
+            Some(Told::InTable(problem)) => return Failure::Misuse(problem),
+            Some(Told::InScene(finding)) => finding.into(),
+            None => error,
+        };
+        Failure::Scene(Source::new(self.name.clone(), given.text().to_owned()), Box::new(error))
     }
 
     /// What comes of this text, or its failure.

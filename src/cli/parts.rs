@@ -2,6 +2,7 @@
 //! not there, and the text of what the rows are of. Numbers stand there as they are in memory, little end first, and behind them
 //! their sum, by which one that has changed since is told.
 
+use super::files::{Unread, read_unnamed};
 use super::message::{Failure, refuse};
 use super::output::write_file;
 use crate::Problem;
@@ -49,15 +50,17 @@ impl Parts {
             _ => {}
         }
         let lock = locked(&folder, by)?;
-        match fs::read(&name) {
+        match read_unnamed(&name, None, own.len() as u64) {
             Ok(other) if other == own.as_bytes() => {}
-            Ok(_) => {
+            Ok(_) | Err(Unread::Large(_)) => {
                 let folder = folder.display();
                 let message = format!("{folder} has rows of another study, of other rows or of another version");
                 return refuse(message, "remove that folder, or choose another output");
             }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => write_file(&name, own.as_bytes())?,
-            Err(error) => return Err(unreadable(&name, &error)),
+            Err(Unread::Failed(error)) if error.kind() == io::ErrorKind::NotFound => {
+                write_file(&name, own.as_bytes())?;
+            }
+            Err(why) => return Err(unreadable(&name, &why)),
         }
         Ok(Parts { folder, width, lock })
     }
@@ -78,19 +81,27 @@ impl Parts {
 
     /// Whether a block is there.
     pub(super) fn has(&self, block: &Range<u64>) -> bool {
-        fs::metadata(self.path(block)).is_ok_and(|found| found.len() == self.bytes(block) + SUM)
+        fs::metadata(self.path(block)).is_ok_and(|found| found.is_file() && found.len() == self.bytes(block) + SUM)
     }
 
     /// Keeps the numbers of a block.
     pub(super) fn write(&self, block: &Range<u64>, numbers: &[f64]) -> Result<(), Failure> {
         let mut bytes: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
         bytes.extend(sum(&bytes).to_le_bytes());
-        write_file(&self.path(block), &bytes)
+        let path = self.path(block);
+        // A pipe in its place would be written to, and wait for its other end.
+        if fs::metadata(&path).is_ok_and(|found| !found.is_file()) {
+            fs::remove_file(&path).map_err(|error| Failure::unwritable(&path, &error))?;
+        }
+        write_file(&path, &bytes)
     }
 
     pub(super) fn read(&self, block: &Range<u64>) -> Result<Vec<f64>, Failure> {
         let path = self.path(block);
-        let bytes = fs::read(&path).map_err(|error| unreadable(&path, &error))?;
+        let bytes = match read_unnamed(&path, None, self.bytes(block) + SUM) {
+            Err(Unread::Large(_)) => Vec::new(),
+            read => read.map_err(|why| unreadable(&path, &why))?,
+        };
         let whole = bytes.split_last_chunk().filter(|(numbers, _)| numbers.len() as u64 == self.bytes(block));
         let Some((numbers, _)) = whole.filter(|(numbers, told)| sum(numbers) == u64::from_le_bytes(**told)) else {
             let problem =
@@ -112,9 +123,11 @@ impl Parts {
 
 /// Holds the folder against runs that could not go on beside this one; nothing where the file system cannot do that.
 fn locked(folder: &Path, by: Use) -> Result<Option<File>, Failure> {
-    let Ok(file) = File::options().append(true).create(true).open(folder.join(LOCK)) else {
-        return Ok(None);
-    };
+    let path = folder.join(LOCK);
+    // To open a pipe would wait for its other end.
+    let is_special = fs::metadata(&path).is_ok_and(|found| !found.is_file());
+    let opened = (!is_special).then(|| File::options().append(true).create(true).open(path));
+    let Some(Ok(file)) = opened else { return Ok(None) };
     let held = match by {
         Use::Some => file.try_lock_shared(),
         Use::All => file.try_lock(),
@@ -143,6 +156,6 @@ pub(super) fn folder(output: &Path) -> PathBuf {
     name.into()
 }
 
-fn unreadable(path: &Path, error: &io::Error) -> Failure {
-    Failure::outside(format!("{} cannot be read: {error}", path.display()))
+fn unreadable(path: &Path, why: &Unread) -> Failure {
+    Failure::outside(format!("{} {why}", path.display()))
 }

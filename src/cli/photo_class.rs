@@ -80,7 +80,7 @@ impl Check {
             warn(&format!("{}; {}", language.says(message), language.says(hint)));
         }
         if self.accept {
-            let source = Source { name: paths[0].display().to_string(), text: String::new() };
+            let source = Source::new(paths[0].display().to_string(), String::new());
             return self.form(exercise, solution, &source, &result.measured);
         }
         note_next(form.as_deref(), &exercise.scene);

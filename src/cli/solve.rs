@@ -16,7 +16,7 @@ use crate::quantity::{QuantityRequest, pencil, readable_names, step_pencil};
 use crate::scene::{Figure, Scene, SizeLimit};
 use crate::sheet::{Order, Sheet};
 use crate::words::Wording;
-use crate::{Error, format, order_of_result, posed};
+use crate::{Error, format, posed};
 use clap::{Args, ValueEnum};
 use indexmap::IndexSet;
 use std::path::PathBuf;
@@ -115,7 +115,7 @@ impl Solve {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
         let most = if self.pencil || self.hand.is_given() { SizeLimit::HAND } else { SizeLimit::NUMBERS };
-        let solution = solve(&source, most, self.mode.number, |_| (), order_of_result)?;
+        let solution = solve(&source, most, self.mode.number, |_| (), |_| Order::Acceleration)?;
         let mut result = source.checked(solution.whole_result())?;
         if self.digits {
             show(&result);

@@ -6,6 +6,7 @@ use super::output::{FileSet, is_stream};
 use super::parts::{Parts, ROWS, Use, folder};
 use super::pieces::progress;
 use super::table::{TableFormat, TableWriter};
+use super::tables::put_tables;
 use crate::format;
 use crate::scene::Scene;
 use crate::study::{Column, Content, SceneGiven, Status, Study, StudyError, StudyFile};
@@ -122,7 +123,12 @@ impl StudyCommand {
             SceneGiven::Path(path) => {
                 let folder = self.study.parent().filter(|_| self.study != Path::new("-")).unwrap_or(Path::new(""));
                 let path = folder.join(path);
-                let of = files::read(&path)?;
+                let name = path.display().to_string();
+                let bytes = files::read_unnamed(&path, None, files::MOST).map_err(|why| {
+                    let message = format!("{name}, which the study names as its scene, {why}");
+                    Failure::misuse(message, "write the path of a scene file, from the study's folder")
+                })?;
+                let of = put_tables(files::utf8("scene", name, bytes)?, &path)?;
                 if Scene::read(&of.text).is_err() && !files::is_below(&path, folder) {
                     // Somebody else's study may name any file: what stands in it is not shown.
                     let hint = format!("`kinegon structure {}` says what is wrong with it", of.name);
@@ -130,7 +136,7 @@ impl StudyCommand {
                 }
                 of
             }
-            SceneGiven::Inline(text) => Source { name: source.name.clone(), text },
+            SceneGiven::Inline(text) => Source::new(source.name.clone(), text),
         };
         let scene = Scene::read(&of.text);
         // The lines that a message shows are those of the study.

@@ -13,7 +13,7 @@ use super::scheme;
 use super::shape::Shape;
 use super::sheet::Pen;
 use super::text::RichText;
-use super::view::{Extent, View, on_sheet, together, towards};
+use super::view::{Extent, ONE_PLACE, View, on_sheet, together_where, towards};
 use crate::construction::{Action, Center, CenterId, CenterLine, CenterOrigin, Centers, CurvatureStep, FigureOf};
 use crate::geometry::{self, Place, span};
 use crate::sheet::{QuantityKind, Sheet};
@@ -238,29 +238,35 @@ impl CentersOnPaper<'_> {
 
     /// The marks and names of the centres on the panel; those in one place share a label.
     fn marks(&self, canvas: &mut Canvas<'_>, is_marked: fn(&Center) -> bool) {
-        let mut all: Vec<(Point, (String, String, u16))> = Vec::new();
+        type Named = (String, String, u16, geometry::Point);
+        let mut all: Vec<(Point, Named)> = Vec::new();
         for (index, center) in self.centers.all.iter().enumerate().filter(|(_, center)| is_marked(center)) {
             let Some(at) = self.shown(canvas, center.place) else { continue };
             canvas.step = self.steps.centers[index];
             mark(canvas, &center.name, at, center.is_permanent());
-            all.push((at, (center.name.clone(), self.named(center), canvas.step)));
+            let place = center.place.finite().unwrap_or_default();
+            all.push((at, (center.name.clone(), self.named(center), canvas.step, place)));
         }
         for (pair, place) in &self.centers.by_rates {
             let Some(at) = place.and_then(|place| self.shown(canvas, place)) else { continue };
             canvas.step = self.steps.by_rates;
             let name = pair.name(self.context.mechanism());
             mark(canvas, &name, at, false);
-            all.push((at, (name, self.context.center_symbol(*pair, FigureOf::Mechanism), canvas.step)));
+            let (symbol, place) =
+                (self.context.center_symbol(*pair, FigureOf::Mechanism), place.and_then(|place| place.finite()));
+            all.push((at, (name, symbol, canvas.step, place.unwrap_or_default())));
         }
         let middle = self.view.at(self.context.facts.middle);
-        for (at, here) in together(all.into_iter(), SHARED) {
+        let size = span(self.context.solution.pose.points.iter().copied());
+        let is_one = |(.., a): &Named, (.., b): &Named| (*a - *b).norm() <= ONE_PLACE * size.max(a.coords.norm());
+        for (at, here) in together_where(all.into_iter(), SHARED, is_one) {
             for names in here.chunks(TOGETHER) {
                 let away = at - middle;
                 let text = |until: u16| {
-                    let there = names.iter().filter(|(.., since)| *since <= until);
-                    RichText::math(&there.map(|(_, symbol, _)| symbol.as_str()).collect::<Vec<_>>().join(", "))
+                    let there = names.iter().filter(|(.., since, _)| *since <= until);
+                    RichText::math(&there.map(|(_, symbol, ..)| symbol.as_str()).collect::<Vec<_>>().join(", "))
                 };
-                let mut steps: Vec<u16> = names.iter().map(|(.., since)| *since).collect();
+                let mut steps: Vec<u16> = names.iter().map(|(.., since, _)| *since).collect();
                 steps.sort_unstable();
                 steps.dedup();
                 canvas.step = steps.pop().unwrap_or_default();
@@ -274,7 +280,7 @@ impl CentersOnPaper<'_> {
     /// The special point of a link of class III or IV that is this centre, by its name.
     fn special_at(&self, center: &Center) -> Option<String> {
         let place = center.place.finite().filter(|_| center.figure == FigureOf::Mechanism && !center.is_permanent())?;
-        let near = 1e-9 * span(self.context.solution.pose.points.iter().copied());
+        let near = ONE_PLACE * span(self.context.solution.pose.points.iter().copied());
         let special = self.context.special().find(|special| {
             let bases = special.cuts.each_ref().map(|cut| cut.leg.base);
             let is_its = bases[0] == bases[1] && center.pair.other(special.link) == Some(bases[0]);

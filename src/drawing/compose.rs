@@ -4,7 +4,7 @@
 use super::canvas::Held;
 use super::context::SheetContext;
 use super::dims::{Dims, MARGIN, TITLE};
-use super::layout::{Aside, Item, Layout, Needs, Placed, layout};
+use super::layout::{Item, Layout, Needs, Placed, layout};
 use super::lines;
 use super::markers::{SheetCode, draw_markers};
 use super::panel::Panel;
@@ -113,9 +113,8 @@ impl<'a> Composition<'a> {
     }
 
     fn layout_for(&self, needs: &[Needs], below: f64) -> Layout {
-        let asides = |room: Rect| -> Vec<Aside> { self.items.iter().flat_map(|item| item.asides(room)).collect() };
         let surface = &self.context.surface;
-        layout(&surface.dims, surface.series, needs, below, asides)
+        layout(&surface.dims, surface.series, needs, below, &self.items)
     }
 
     /// Draws the sheet as it is laid out.
@@ -162,9 +161,10 @@ impl<'a> Composition<'a> {
             drawing.draw(Pen::Frame, Shape::rectangle(layout.below));
         }
         // First what stands below the panels, in the frame that is drawn for it.
-        let (below, beside): (Vec<_>, Vec<_>) = self.items.iter().partition(|item| item.height() > 0.0);
-        for item in below.into_iter().chain(beside) {
-            item.draw(&mut drawing, layout);
+        let (below, beside): (Vec<_>, Vec<_>) =
+            self.items.iter().enumerate().partition(|(_, item)| item.height() > 0.0);
+        for (index, item) in below.into_iter().chain(beside) {
+            item.draw(&mut drawing, layout, layout.asides.get(index).copied().flatten());
         }
         if !self.is_stepwise {
             drawing.marks.retain(|mark| mark.until.is_none());

@@ -54,7 +54,7 @@ pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
     if place == WordsPlace::Below {
         sheet.items.push(Box::new(table.clone()));
         let both = sheet.layout();
-        let fits = both.aside.is_some_and(|area| table.fits(area));
+        let fits = both.aside().is_some_and(|area| table.fits(area));
         if fits && both.worth >= layout.worth {
             return vec![sheet.draw(&both)];
         }
@@ -107,7 +107,7 @@ fn best_division<'a>(context: &'a SheetContext<'a>, overlay: &'a Overlay) -> Div
         let mut words = division(extents, WordsPlace::Below);
         for part in BESIDE {
             let beside = division(extents, WordsPlace::Beside(part * page[0]));
-            let fits = beside.layout.aside.is_some_and(|column| notes(beside.place).fits(column));
+            let fits = beside.layout.aside().is_some_and(|column| notes(beside.place).fits(column));
             if fits && beside.layout.worth > words.layout.worth {
                 words = beside;
             }

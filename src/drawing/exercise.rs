@@ -76,7 +76,7 @@ pub fn drawing_sheets(
         let table = Worksheet::blank(&context, asked, place);
         let is_legible = |area: Rect| table.table.size_in(area) >= SMALLEST_TABLE;
         let is_apart = place == TablePlace::Apart;
-        if layout.holds_all() && (is_apart || layout.aside.is_some_and(is_legible)) {
+        if layout.holds_all() && (is_apart || layout.aside().is_some_and(is_legible)) {
             let mut sheets = vec![sheet.draw(&layout).after_step(0)];
             sheets.extend(plans);
             if is_apart {

@@ -14,6 +14,7 @@ use super::shape::Shape;
 use super::sheet::{Drawing, Mark};
 use super::values::{self, Listed, value_list};
 use super::view::{Series, next_scale};
+use super::willis;
 use super::worksheet::{TablePlace, Worksheet};
 use crate::construction::{Solution, plain_text};
 use crate::cycle::Traces;
@@ -29,6 +30,10 @@ const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None
 
 /// How much coarser a scale may be on a sheet so that all sheets of a scene have the same.
 const SHARED: f64 = 1.2;
+
+/// How much coarser a scale may be for Willis' table, which somebody has asked for: any, and one of a series, whose next number is up to a
+/// third larger.
+const COST_OF_WILLIS: [f64; 2] = [1.6, 2.0];
 
 /// Scales that are tried for one that fits.
 const TRIED: usize = 120;
@@ -95,9 +100,13 @@ impl<'a> FigureSheets<'a> {
         let (laid_out, figure) = self.drawn();
         let LaidOut { context, layout, .. } = laid_out;
         let mut sheets = vec![figure.clone()];
-        if context.figure().worksheet && layout.aside.is_none() {
+        if context.figure().worksheet && layout.aside().is_none() {
             let sheet = laid_out.composition();
             let table = Worksheet::new(context, &sheet.panels, TablePlace::Apart).filled(layout);
+            sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
+        }
+        let unplaced = willis::table(context).filter(|_| !context.figure().worksheet && !laid_out.contents.willis);
+        if let Some(table) = unplaced {
             sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
         }
         if !context.figure().worksheet && !context.values.is_empty() {
@@ -263,8 +272,26 @@ impl<'a> FigureSheets<'a> {
                 .then(|| self.lay_out(marked, None))
                 .filter(|marked| marked.layout.shows_all());
             let figure = marked.unwrap_or_else(|| self.lay_out(context, None));
-            if figure.context.figure().worksheet { figure } else { self.listed(figure) }
+            if figure.context.figure().worksheet { figure } else { self.listed(self.with_willis(figure)) }
         })
+    }
+
+    /// The finished figure with Willis' table, if it asks for it: at its scales, or else at coarser ones where the panels are still well seen.
+    /// Where it has no such room it is on the next sheet.
+    fn with_willis(&self, without: LaidOut<'a>) -> LaidOut<'a> {
+        let LaidOut { context, extents, layout, .. } = &without;
+        if willis::table(context).is_none() {
+            return without;
+        }
+        let contents = Contents { willis: true, ..without.contents };
+        let tried = [layout.mu(), context.figure().mu];
+        let laid_out = tried.iter().map(|scales| composed(context, extents, contents).layout_at(scales));
+        let cost = COST_OF_WILLIS[usize::from(context.surface.series != Series::Any)];
+        let fits = |with: &Layout| with.aside().is_some() && with.shows_all() && with.costs_at_most(cost, &layout.mu());
+        match { laid_out }.find(fits) {
+            Some(layout) => LaidOut { layout, contents, ..without },
+            None => without,
+        }
     }
 
     /// The finished figure with a list of its results: of all or of the main ones where that has room at the scales, or else
@@ -302,7 +329,7 @@ impl<'a> FigureSheets<'a> {
         } else {
             let (apart, beside) = (laid_out(Some(TablePlace::Apart)), laid_out(Some(TablePlace::Beside)));
             let shown = |layout: &Layout| [layout.worth[0], layout.worth[1]];
-            let has_room = beside.1.aside.is_some() && shown(&beside.1) >= shown(&apart.1);
+            let has_room = beside.1.aside().is_some() && shown(&beside.1) >= shown(&apart.1);
             if has_room { beside } else { apart }
         };
         LaidOut { context, extents, contents, layout }

@@ -9,7 +9,7 @@ use super::remarks;
 use super::sheet::Drawing;
 use super::values::{Listed, value_list};
 use super::view::Series;
-use super::willis;
+use super::willis::{self, WillisTable};
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::shown_text;
@@ -92,6 +92,8 @@ pub(super) struct Contents {
     pub only_step: Option<usize>,
     /// The table of measured lengths, on a work sheet.
     pub table: Option<TablePlace>,
+    /// Whether it has Willis' table.
+    pub willis: bool,
     /// The results in the list of the finished figure; none where it has no list.
     pub list: Option<Listed>,
     /// By panel: rows for the names that have no room in it.
@@ -104,7 +106,7 @@ pub(super) struct Contents {
 
 /// A sheet of the scene with panels of these extents.
 pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, contents: Contents) -> Composition<'a> {
-    let Contents { steps, only_step, table, list, wordless, moving, rows } = contents;
+    let Contents { steps, only_step, table, willis, list, wordless, moving, rows } = contents;
     let mut panels = panels(context, extents, |sheet| match steps {
         Some(_) => vec![hints(context, sheet), content(context, sheet)],
         None => vec![content(context, sheet)],
@@ -128,7 +130,7 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
             }
             _ => (None, said(0.0)),
         };
-        let willis = willis::table(context).filter(|_| table.is_none());
+        let willis = willis::table(context).filter(|_| willis).map(WillisTable);
         return sheet.with_optional(willis).with_optional(values).with(said).with_optional(ruler);
     };
     // On the sheets of steps values come after the last one.

@@ -224,7 +224,8 @@ pub(super) trait Item {
         Vec::new()
     }
 
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout);
+    /// Draws it below the panels, or in its own area beside them, if it has one.
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout, aside: Option<Rect>);
 }
 
 /// Frames of all parts of a sheet.
@@ -232,8 +233,8 @@ pub(super) trait Item {
 pub(super) struct Layout {
     /// The area below the panels.
     pub below: Rect,
-    /// The area without panels.
-    pub aside: Option<Rect>,
+    /// By item its own area beside the panels, if it has one.
+    pub asides: Vec<Option<Rect>>,
     pub panels: Vec<Placed>,
     /// Its quality, compared element by element: whether all panels have room for their headings and for a content, how
     /// many contents fit, and how large they are.
@@ -241,6 +242,11 @@ pub(super) struct Layout {
 }
 
 impl Layout {
+    /// The area beside the panels on a sheet on which only one item can have one.
+    pub(super) fn aside(&self) -> Option<Rect> {
+        self.asides.iter().flatten().next().copied()
+    }
+
     /// Whether all panels have room for their contents.
     pub(super) fn holds_all(&self) -> bool {
         self.worth[1] as usize == self.panels.len()
@@ -253,7 +259,12 @@ impl Layout {
 
     /// Whether no scale is much coarser than the one that is chosen for its sheet.
     pub(super) fn is_nearly_at(&self, chosen: &Scales) -> bool {
-        chosen.given().all(|(sheet, mu)| self.mu_of(sheet) <= Some(COST * mu))
+        self.costs_at_most(COST, chosen)
+    }
+
+    /// Whether no scale is more than so many times coarser than the one that is chosen for its sheet.
+    pub(super) fn costs_at_most(&self, cost: f64, chosen: &Scales) -> bool {
+        chosen.given().all(|(sheet, mu)| self.mu_of(sheet) <= Some(cost * mu))
     }
 
     /// The place of the panel of a sheet.
@@ -272,32 +283,35 @@ impl Layout {
     }
 }
 
-/// Divides a sheet so that the panels' contents are largest at scales of a series: in every way, with each area of
-/// `asides`. `below` mm of height are for words below the panels.
+/// Divides a sheet so that the panels' contents are largest at scales of a series: in every way, with each area that an item may have beside
+/// them. `below` mm of height are for words below the panels.
 ///
 /// First comes that headings have room, then how many contents fit, then how large they are; of divisions with which
 /// they are alike, the one that leaves most room to the panel that has least.
-pub(super) fn layout(
-    dims: &Dims,
-    series: Series,
-    needs: &[Needs],
-    below: f64,
-    asides: impl Fn(Rect) -> Vec<Aside>,
-) -> Layout {
+pub(super) fn layout(dims: &Dims, series: Series, needs: &[Needs], below: f64, items: &[Box<dyn Item + '_>]) -> Layout {
     let words = if below > 0.0 { below + GAP } else { 0.0 };
     let ([width, height], free) = (dims.page, dims.free);
     let bottom = height - free.edge - words.max(if free.corner > 0.0 { free.corner + GAP } else { 0.0 });
     let whole = Rect::new(free.edge, free.top, width - free.edge, bottom);
-    let asides: Vec<Aside> = asides(whole);
-    let rooms = match asides.is_empty() {
-        true => vec![(whole, None)],
-        false => asides.into_iter().map(|aside| cut_off(whole, aside)).collect(),
-    };
+    // The areas of two items are cut off one after the other, so that none is drawn in another's.
+    let mut rooms: Vec<(Rect, Vec<Option<Rect>>)> = vec![(whole, Vec::new())];
+    for item in items {
+        let with_own = |(room, others): &(Rect, Vec<Option<Rect>>)| {
+            let asides = item.asides(*room).into_iter().map(|aside| cut_off(*room, aside));
+            let mut rooms: Vec<(Rect, Option<Rect>)> = asides.collect();
+            if rooms.is_empty() {
+                rooms.push((*room, None));
+            }
+            let joined = |(room, own): (Rect, Option<Rect>)| (room, others.iter().copied().chain([own]).collect());
+            rooms.into_iter().map(joined).collect::<Vec<_>>()
+        };
+        rooms = rooms.iter().flat_map(with_own).collect();
+    }
     let sharing = Sharing { needs, unit: dims.unit, series };
     let has_companion = needs.iter().any(|needs| needs.weight < 1.0);
     let divisions = if needs.is_empty() { Vec::new() } else { Division::all(needs.len()) };
     let mut best: Option<Layout> = None;
-    for (room, aside) in rooms {
+    for (room, asides) in rooms {
         for division in &divisions {
             let Best { mu, wide, mut loss } = sharing.best(division, [room.width(), room.height()]);
             let is_stacked = matches!(division, Division::Parts { down: true, .. });
@@ -310,13 +324,13 @@ pub(super) fn layout(
             let panels: Vec<Placed> =
                 placed.map(|((needs, frame), mu)| Placed::new(needs, frame, mu, dims.unit)).collect();
             let worth = worth(&panels, loss);
-            let found = Layout { below: Rect::ZERO, aside, panels, worth };
+            let found = Layout { below: Rect::ZERO, asides: asides.clone(), panels, worth };
             if best.as_ref().is_none_or(|best| found.is_better_than(best)) {
                 best = Some(found);
             }
         }
     }
-    let best = best.unwrap_or(Layout { below: Rect::ZERO, aside: None, panels: Vec::new(), worth: [0.0; 3] });
+    let best = best.unwrap_or(Layout { below: Rect::ZERO, asides: Vec::new(), panels: Vec::new(), worth: [0.0; 3] });
     let top = height - free.edge - words.max(free.corner) + if below > 0.0 { GAP } else { 0.0 };
     let below = Rect::new(whole.x0, top.min(height - free.edge), whole.x1 - dims.beside_code(), height - free.edge);
     Layout { below, ..best }

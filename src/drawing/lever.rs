@@ -8,7 +8,7 @@ use super::scheme::on_paper::outline;
 use super::shape::Shape;
 use super::sheet::Pen;
 use super::text::RichText;
-use super::view::{Extent, View, on_sheet, together, towards};
+use super::view::{Extent, ONE_PLACE, View, on_sheet, together_where, towards};
 use crate::construction::{Action, Construction, Lever, LeverForce, LeverStep, image_name};
 use crate::geometry::{self, Vector};
 use crate::sheet::{Order, Sheet};
@@ -148,19 +148,23 @@ impl LeverOnPaper<'_> {
         let pole = self.at(self.lever.pole);
         canvas.draw(Pen::Pole, Shape::Circle { center: pole, radius: POLE });
         let mechanism = self.context.mechanism();
-        let mut named: Vec<(Point, String)> =
-            vec![(pole, self.context.words.notation.pole(Order::Velocity).to_owned())];
+        type Image = (String, Vector);
+        let own = self.lever.pole;
+        let mut named: Vec<(Point, Image)> =
+            vec![(pole, (self.context.words.notation.pole(Order::Velocity).to_owned(), own))];
         for (point, at) in self.lever.links.iter().flat_map(|(_, images)| images) {
-            let (at, name) = (self.at(*at), image_name(mechanism.point_name(*point)));
-            if (at - pole).hypot() > SHARED && !named.iter().any(|(_, other)| *other == name) {
+            let (place, at, name) = (*at, self.at(*at), image_name(mechanism.point_name(*point)));
+            if (at - pole).hypot() > SHARED && !named.iter().any(|(_, (other, _))| *other == name) {
                 canvas.draw(Pen::ImagePoint, Shape::Circle { center: at, radius: canvas.dims.dot });
-                named.push((at, name));
+                named.push((at, (name, place)));
             }
         }
-        for (at, names) in together(named.into_iter(), SHARED) {
-            let shown: Vec<String> = names.iter().map(|name| self.context.shown(name, None)).collect();
+        let largest = named.iter().map(|(_, (_, place))| (*place - own).norm()).fold(0.0, f64::max);
+        let is_one = |(_, a): &Image, (_, b): &Image| (*a - *b).norm() <= ONE_PLACE * largest;
+        for (at, names) in together_where(named.into_iter(), SHARED, is_one) {
+            let shown: Vec<String> = names.iter().map(|(name, _)| self.context.shown(name, None)).collect();
             let request = LabelRequest::new(RichText::math(&shown.join(", ")), at, 1.2, None, 3);
-            canvas.ask(&format!("{}-{}", self.index + 1, names[0]), request);
+            canvas.ask(&format!("{}-{}", self.index + 1, names[0].0), request);
         }
     }
 

@@ -79,7 +79,7 @@ impl Item for Lines {
         if self.lines.is_empty() { 0.0 } else { height(self.lines.len()) }
     }
 
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout, _: Option<Rect>) {
         let from = drawing.marks.len();
         draw(drawing, layout.below, 0, &self.lines);
         if let Some(step) = self.step {

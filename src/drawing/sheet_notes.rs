@@ -13,7 +13,7 @@ use crate::quantity::{Corners, QuantityRequest, What};
 use crate::scene::{ConstructionShown, Page, PageSize};
 use crate::sheet::{Order, Sheet};
 use crate::words::NumberStyle;
-use kurbo::Point;
+use kurbo::{Point, Rect};
 
 /// White on a sheet of paper around a plan, in mm.
 const WHITE: f64 = 10.0;
@@ -181,7 +181,7 @@ impl Fields {
 }
 
 impl Item for Fields {
-    fn draw(&self, drawing: &mut Drawing, _: &Layout) {
+    fn draw(&self, drawing: &mut Drawing, _: &Layout, _: Option<Rect>) {
         let from = Point::new(self.right - self.fields.width(CAPTION), super::compose::TITLE_LINE);
         drawing.caption(self.fields.clone(), from);
     }

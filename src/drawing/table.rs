@@ -1,6 +1,6 @@
 //! A table on a sheet: rows of cells under a head, in as many columns side by side as fit.
 
-use super::layout::{Aside, Item, Layout};
+use super::layout::{Aside, Item, Layout, cut_off};
 use super::shape::Shape;
 use super::sheet::{Drawing, Emphasis, Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
@@ -89,8 +89,8 @@ impl Item for Table {
         asides
     }
 
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        if let Some(area) = layout.aside {
+    fn draw(&self, drawing: &mut Drawing, _: &Layout, aside: Option<Rect>) {
+        if let Some(area) = aside {
             self.draw_in(drawing, area);
         }
     }
@@ -165,6 +165,12 @@ impl Table {
     /// The size of its rows in an area, in parts of their usual size.
     pub(super) fn size_in(&self, area: Rect) -> f64 {
         self.arrangement(area).small
+    }
+
+    /// The areas beside or below panels in which all its rows fit at their usual size.
+    pub(super) fn asides_at_full_size(&self, room: Rect) -> Vec<Aside> {
+        let fits = |aside: &Aside| cut_off(room, *aside).1.is_some_and(|area| self.fits(area));
+        self.asides(room).into_iter().filter(fits).collect()
     }
 
     /// Number of rows that an area holds at their usual size.

@@ -367,8 +367,8 @@ impl Item for ValueList {
         asides
     }
 
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        let area = match (self.after, layout.aside) {
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout, aside: Option<Rect>) {
+        let area = match (self.after, aside) {
             (Some(_), _) => layout.below,
             (None, Some(area)) => {
                 drawing.draw(Pen::Frame, Shape::rectangle(area));

@@ -115,14 +115,28 @@ pub fn towards(from: Point, to: Point, otherwise: Vec2) -> Vec2 {
     if run.hypot() > 0.0 { run.normalize() } else { otherwise }
 }
 
+/// Places closer than this part of the size of all of them are one: numbers differ by more, unless by their errors.
+pub(super) const ONE_PLACE: f64 = 1e-9;
+
 /// Things at places of the sheet, those together that stand less than `apart` mm from the first of them.
 pub(super) fn together<T>(things: impl Iterator<Item = (Point, T)>, apart: f64) -> Vec<(Point, Vec<T>)> {
+    together_where(things, apart, |_, _| true)
+}
+
+/// Those together that stand so close to the first of them and are in one place with it, as `is_one` says: what is only near on paper must not
+/// read as equal.
+pub(super) fn together_where<T>(
+    things: impl Iterator<Item = (Point, T)>,
+    apart: f64,
+    is_one: impl Fn(&T, &T) -> bool,
+) -> Vec<(Point, Vec<T>)> {
     let things: Vec<(Point, T)> = things.collect();
     let mut grid = Grid::new(around(&things.iter().map(|(at, _)| *at).collect::<Vec<_>>()));
     let mut places: Vec<(Point, Vec<T>)> = Vec::new();
     for (at, thing) in things {
         let near = grid.near(Rect::from_center_size(at, (2.0 * apart, 2.0 * apart)));
-        match near.into_iter().find(|&place| (places[place].0 - at).hypot() < apart) {
+        let is_its = |place: &usize| (places[*place].0 - at).hypot() < apart && is_one(&places[*place].1[0], &thing);
+        match near.into_iter().find(is_its) {
             Some(place) => places[place].1.push(thing),
             None => {
                 grid.add(places.len(), Rect::from_points(at, at));

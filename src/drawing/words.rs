@@ -70,7 +70,7 @@ impl<'a> StepWords<'a> {
         };
         let panels = extents(context).into_iter().map(placed).collect();
         let below = Rect::new(0.0, 0.0, context.surface.dims.width_below(), 0.0);
-        let layout = Layout { below, aside: None, panels, worth: [0.0; 3] };
+        let layout = Layout { below, asides: Vec::new(), panels, worth: [0.0; 3] };
         for number in (0..words.count()).filter(|number| only.is_none_or(|only| only == number + 1)) {
             let (mut caption, mut details) = (Vec::new(), Vec::new());
             let caption_end = words.write_caption(&mut caption, &layout, number);
@@ -172,7 +172,7 @@ impl Item for StepWords<'_> {
         self.height
     }
 
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout, _: Option<Rect>) {
         for (&index, &start) in &self.starts {
             let caption_end = self.write_caption(&mut drawing.marks, layout, index);
             self.write_details(&mut drawing.marks, layout, index, start, caption_end);

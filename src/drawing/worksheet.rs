@@ -2,7 +2,7 @@
 //! with boxes to be filled in; the table of a key; a ruler by which the size of a print is checked.
 
 use super::context::SheetContext;
-use super::layout::{Aside, Item, Layout, cut_off};
+use super::layout::{Aside, Item, Layout};
 use super::lines::{Lines, PAD};
 use super::panel::Panel;
 use super::remarks::{HUNDREDTHS, VALUE};
@@ -160,15 +160,14 @@ impl Worksheet {
 
 impl Item for Worksheet {
     fn asides(&self, room: Rect) -> Vec<Aside> {
-        let mut asides = self.table.asides(room);
-        if self.place == TablePlace::Beside {
-            asides.retain(|aside| cut_off(room, *aside).1.is_some_and(|area| self.table.fits(area)));
+        match self.place {
+            TablePlace::Beside => self.table.asides_at_full_size(room),
+            _ => self.table.asides(room),
         }
-        asides
     }
 
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        let Some(area) = layout.aside else { return };
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout, aside: Option<Rect>) {
+        let Some(area) = aside else { return };
         let foot = self.at_scales(layout).draw_in(drawing, area);
         // The ruler stands in the foot with its words above it.
         let from = foot + Vec2::new(2.0, -RULER_ROOM[1]);
@@ -271,7 +270,7 @@ impl Item for Ruler {
         self.lines + HEIGHT
     }
 
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout, _: Option<Rect>) {
         let area = layout.below;
         let from = Point::new(area.x1 - self.width() + BEFORE, area.y0 + self.lines + 4.6);
         drawing.caption(self.words.clone(), from);

@@ -67,6 +67,31 @@ impl<'a> Document<'a> {
         others.into_iter().try_for_each(|(path, value)| self.set(&path, value))
     }
 
+    /// Puts values in place of whole values that are there, all at once: the bytes of each before and after, in the order of the text and with
+    /// its byte order mark.
+    pub fn put_all(&mut self, values: &[(Vec<String>, Json)]) -> Vec<[Range<usize>; 2]> {
+        let mut splices = Vec::new();
+        if let Ok(tree) = self.tree() {
+            let layout = Layout::of(tree.body);
+            for (path, value) in values {
+                let path: Vec<&str> = path.iter().map(String::as_str).collect();
+                splices.extend(find(&tree.root, &path).map(|node| (range_of(node), layout.one_line(value))));
+            }
+        }
+        splices.sort_by_key(|(range, _)| range.start);
+        // How far the text before has become longer; a mark stands before both texts.
+        let mark = self.given.len() - self.given.trim_start_matches('\u{feff}').len();
+        let mut longer = 0_isize;
+        let put = splices.iter().map(|(before, text)| {
+            let start = before.start.saturating_add_signed(longer);
+            longer += text.len() as isize - before.len() as isize;
+            [before.clone(), start..start + text.len()].map(|range| range.start + mark..range.end + mark)
+        });
+        let put = put.collect();
+        self.body = spliced(&self.body, splices);
+        put
+    }
+
     /// Puts a value at a path, in place of what is there; parts of an object or a list that do not change stay as they
     /// are, and notes stay. `null` removes.
     pub fn set(&mut self, path: &[&str], value: &Json) -> Result<(), SceneError> {

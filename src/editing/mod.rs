@@ -40,7 +40,7 @@ pub use position::{with_mode, with_position};
 pub use present::places;
 #[doc(inline)]
 pub use reshape::{Pins, Reshape, Reshaped};
-pub use tables::{TableInFile, lines_of_table, tables_in_files, with_table};
+pub use tables::{PutTable, TableFile, TableInFile, lines_of_table, tables_in_files, with_tables};
 
 use crate::scene::{Figure, Scene, SceneError, figure_keys};
 use document::Document;

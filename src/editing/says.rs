@@ -34,6 +34,9 @@ messages! { "editing":
     table_no_number(line, column);
     table_one_column;
     table_line;
+    table_first;
+    table_more_cells(line, cells, first);
+    table_marks;
     table_unnamed;
     table_head;
     table_no_column(load);

@@ -38,6 +38,7 @@ messages! { "mechanism":
     train_without_ratio(links);
     other_teeth;
     two_radii(link, teeth, first, second);
+    belt_without_room(first, second, radii, distance);
 
     // Guides with ends.
     off_guide(slider, position, low, high);

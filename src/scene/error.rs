@@ -39,6 +39,15 @@ pub struct Place {
 }
 
 impl SceneError {
+    /// The error at these bytes of another text.
+    #[must_use]
+    pub(crate) fn placed(self, text: &str, span: Range<usize>) -> SceneError {
+        let source = Source(text);
+        let mark = text.len() - source.body().len();
+        let place = (span.start >= mark).then(|| source.place(span.start - mark..span.end - mark));
+        SceneError { place, ..self }
+    }
+
     /// What is wrong, and what to try, without the place.
     #[must_use]
     pub fn problem(&self) -> Problem {

@@ -120,15 +120,26 @@ pub enum Gauge {
     Position(String),
 }
 
+impl Gauge {
+    /// What a text as `angle(1)` or `position(3/ground)` names; `None` for others.
+    pub(crate) fn parse(text: &str) -> Option<Gauge> {
+        let name = QuantityName::parse(text).filter(|name| name.component.is_none())?;
+        let QuantityName { head, mut arguments, .. } = name;
+        let of = match head {
+            Head::Angle => Gauge::Angle,
+            Head::SlidePosition => Gauge::Position,
+            _ => return None,
+        };
+        Some(of(arguments.pop().unwrap_or_default()))
+    }
+}
+
 impl OverFile {
     pub fn read(self, names: &Names<'_>) -> Result<Over, Wrong> {
         let OverFile { of, table: Table(table) } = self;
         let table: Vec<[f64; 2]> = table.into_iter().map(|Line(line)| line).collect();
-        let parsed = QuantityName::parse(&of).filter(|name| name.component.is_none());
-        let gauge = match parsed.map(|QuantityName { head, arguments, .. }| (head, arguments)) {
-            Some((Head::Angle, mut link)) => Gauge::Angle(link.pop().unwrap_or_default()),
-            Some((Head::SlidePosition, mut slider)) => Gauge::Position(slider.pop().unwrap_or_default()),
-            _ => return Err(Wrong::value(&["of"], says::over_what(shown(&of))).hint(says::over_angle_or_position())),
+        let Some(gauge) = Gauge::parse(&of) else {
+            return Err(Wrong::value(&["of"], says::over_what(shown(&of))).hint(says::over_angle_or_position()));
         };
         if let Gauge::Angle(link) = &gauge {
             names.link(&["of"], link)?;

@@ -324,6 +324,10 @@ messages! { "scene":
     hollow_larger;
     radii_not_as_drawn(first, second, distance, radii);
     radii_as_drawn;
+    face_not_as_drawn(center, distance, radius);
+    face_as_drawn;
+    face_on_other_side(center);
+    face_the_other_way;
     equivalent_taken(link);
     name_equivalent;
 

@@ -1042,6 +1042,10 @@ scene-hollow_smaller = ein rundes Profil mit dem Radius {$round} liegt nicht in 
 scene-hollow_larger = das hohle Profil hat den größeren Radius, mit einem Minus davor
 scene-radii_not_as_drawn = {$first} und {$second} sind {$distance} voneinander entfernt gezeichnet, aber die Radien ergeben {$radii}
 scene-radii_as_drawn = die Summe der Radien ist der Abstand der Mittelpunkte; eine Zeichnung kommt ohne Radien aus
+scene-face_not_as_drawn = {$center} ist {$distance} vom ebenen Profil entfernt gezeichnet, aber der Radius ist {$radius}
+scene-face_as_drawn = der Radius ist der Abstand des Krümmungsmittelpunkts vom ebenen Profil; eine Zeichnung kommt ohne ihn aus
+scene-face_on_other_side = {$center} ist auf der falschen Seite des ebenen Profils gezeichnet: der erste Körper liegt rechts von `along`
+scene-face_the_other_way = drehen Sie `along` um 180, oder nennen Sie seine Punkte in der anderen Reihenfolge
 scene-equivalent_taken = das Ersatzglied würde {$link} heißen, aber es gibt ein Glied dieses Namens
 scene-name_equivalent = geben Sie ihm einen anderen `name`
 
@@ -1193,6 +1197,7 @@ mechanism-make_revolute = machen Sie eines der Schubgelenke zum Drehgelenk
 mechanism-train_without_ratio = aus den Zähnezahlen folgen die Winkel der Glieder {$links} nicht: die Räder drehen sich gleich, was auch der Steg tut, so dass nichts ihn antreibt
 mechanism-other_teeth = geben Sie andere Zähnezahlen an, so dass die Standübersetzung nicht 1 ist, oder treiben Sie den Steg an
 mechanism-two_radii = Rad {$link} mit {$teeth} Zähnen hätte zwei Wälzkreisradien, {$first} und {$second}: prüfen Sie Zähnezahlen und Achsabstände
+mechanism-belt_without_room = die Räder {$first} und {$second} mit den Radien {$radii} haben den Abstand {$distance}: so kann kein Riemen um sie laufen; prüfen Sie Radius und Abstand
 mechanism-off_guide = Schieber {$slider} ist nicht auf seiner Führung: er steht bei {$position}, und sie geht von {$low} bis {$high}; was daraus folgt, gilt hier nicht
 mechanism-holds_here_alone = die Berührung von {$first} und {$second} ist nur in dieser Stellung bekannt: ihr Ersatzgetriebe gibt hier Geschwindigkeiten, Beschleunigungen und Kräfte, und anderswo nichts
 
@@ -1434,6 +1439,9 @@ editing-no_link = es gibt kein Glied {$name}
 editing-table_no_number = Zeile {$line}, Spalte {$column}: da steht keine Zahl
 editing-table_one_column = es gibt keine zweite Spalte
 editing-table_line = schreiben Sie in jede Zeile einen Ort und einen Faktor, als `90,1500`
+editing-table_first = schreiben Sie bloße Zahlen, einen Ort und einen Faktor, als `90,1500`; eine erste Zeile, die die Spalten benennt, hat keine Zahlen
+editing-table_more_cells = Zeile {$line} hat {$cells} Zellen, die erste Zeile {$first}
+editing-table_marks = trennen Sie Zellen durch Semikolons, wenn Zahlen Dezimalkommas haben
 editing-table_unnamed = es gibt mehr als zwei Spalten, und die erste Zeile benennt sie nicht
 editing-table_head = benennen Sie die Spalten in der ersten Zeile, die von Lasten so wie die Szene
 editing-table_no_column = es gibt keine Spalte für `{$load}`
@@ -1541,6 +1549,8 @@ check-power = eine Leistung
 
 # Tables.
 
+check-open_quotation = hier beginnt ein Anführungszeichen, das in dieser Zeile nicht endet: die Zeilen darunter gingen verloren
+check-close_quotation = schließen Sie es, oder lassen Sie es weg
 check-no_table = dies ist keine Tabelle: {$error}
 check-write_lines = schreiben Sie für jeden Wert eine Zeile `quantity,value`; Namen mit Komma stehen in doppelten Anführungszeichen
 check-no_sense = `{$text}` ist kein Drehsinn

@@ -1072,6 +1072,10 @@ scene-hollow_smaller = a round profile of radius {$round} does not lie in a holl
 scene-hollow_larger = the hollow profile has the larger radius, and stands with a minus
 scene-radii_not_as_drawn = {$first} and {$second} are drawn {$distance} apart, but the radii make {$radii}
 scene-radii_as_drawn = the sum of the radii is the distance of the centres; a drawing does without radii
+scene-face_not_as_drawn = {$center} is drawn {$distance} from the flat profile, but the radius is {$radius}
+scene-face_as_drawn = the radius is the distance from the centre of curvature to the flat profile; a drawing does without it
+scene-face_on_other_side = {$center} is drawn on the wrong side of the flat profile: the first body lies to the right of `along`
+scene-face_the_other_way = turn `along` by 180, or name its points in the other order
 scene-equivalent_taken = the equivalent link would be called {$link}, but there is a link of that name
 scene-name_equivalent = give it another `name`
 
@@ -1223,6 +1227,7 @@ mechanism-make_revolute = make one of the prismatic joints revolute
 mechanism-train_without_ratio = the teeth do not tell the angles of links {$links}: the wheels turn alike whatever the arm does, so nothing drives it
 mechanism-other_teeth = give other numbers of teeth, so that the basic ratio of the train is not 1, or drive the arm
 mechanism-two_radii = wheel {$link} with {$teeth} teeth would have two pitch radii, {$first} and {$second}: check teeth and centre distances
+mechanism-belt_without_room = wheels {$first} and {$second}, with radii {$radii}, are {$distance} apart: a belt cannot run around them like that; check radius and distance
 mechanism-off_guide = slider {$slider} is not on its guide: it stands at {$position}, and the guide goes from {$low} to {$high}; what follows from it does not hold here
 mechanism-holds_here_alone = the contact of {$first} and {$second} is known in this position alone: its equivalent linkage gives velocities, accelerations and forces here, and nothing elsewhere
 
@@ -1467,6 +1472,9 @@ editing-no_link = there is no link {$name}
 editing-table_no_number = line {$line}, column {$column}: there is no number
 editing-table_one_column = there is no second column
 editing-table_line = write a place and a factor in every line, as `90,1500`
+editing-table_first = write plain numbers, a place and a factor, as `90,1500`; a first line that names the columns has no numbers
+editing-table_more_cells = line {$line} has {$cells} cells, and the first line {$first}
+editing-table_marks = separate cells by semicolons where numbers have decimal commas
 editing-table_unnamed = there are more than two columns, and the first line does not name them
 editing-table_head = name the columns in the first line, those of loads as the scene names these
 editing-table_no_column = there is no column for `{$load}`
@@ -1574,6 +1582,8 @@ check-power = a power
 
 # Tables.
 
+check-open_quotation = a double quote opens here and does not close on this line, so that the lines below would be lost
+check-close_quotation = close it, or leave it out
 check-no_table = this is no table: {$error}
 check-write_lines = write a line `quantity,value` for each value; names with a comma stand in double quotes
 check-no_sense = `{$text}` is no sense of rotation

@@ -1040,6 +1040,10 @@ scene-hollow_smaller = un perfil redondo de radio {$round} no cabe en uno cónca
 scene-hollow_larger = el perfil cóncavo tiene el radio mayor, con un menos delante
 scene-radii_not_as_drawn = {$first} y {$second} están dibujados a {$distance}, pero los radios dan {$radii}
 scene-radii_as_drawn = la suma de los radios es la distancia de los centros; un dibujo no necesita radios
+scene-face_not_as_drawn = {$center} está dibujado a {$distance} del perfil plano, pero el radio es {$radius}
+scene-face_as_drawn = el radio es la distancia del centro de curvatura al perfil plano; un dibujo no lo necesita
+scene-face_on_other_side = {$center} está dibujado en el lado equivocado del perfil plano: el primer cuerpo queda a la derecha de `along`
+scene-face_the_other_way = gire `along` 180, o nombre sus puntos en el otro orden
 scene-equivalent_taken = el eslabón equivalente se llamaría {$link}, pero hay un eslabón con ese nombre
 scene-name_equivalent = dele otro `name`
 
@@ -1191,6 +1195,7 @@ mechanism-make_revolute = convierta uno de los pares prismáticos en rotatorio
 mechanism-train_without_ratio = los dientes no dan los ángulos de los eslabones {$links}: las ruedas giran igual haga lo que haga el brazo, así que nada lo mueve
 mechanism-other_teeth = dé otros números de dientes, de modo que la relación básica del tren no sea 1, o accione el brazo
 mechanism-two_radii = la rueda {$link} de {$teeth} dientes tendría dos radios primitivos, {$first} y {$second}: revise dientes y distancias entre centros
+mechanism-belt_without_room = las ruedas {$first} y {$second}, con radios {$radii}, están a una distancia de {$distance}: así no puede rodearlas una correa; revise el radio y la distancia
 mechanism-off_guide = la corredera {$slider} no está en su guía: está en {$position}, y la guía va de {$low} a {$high}; lo que de ello se sigue no vale aquí
 mechanism-holds_here_alone = el contacto de {$first} y {$second} solo se conoce en esta posición: su mecanismo equivalente da aquí velocidades, aceleraciones y fuerzas, y nada en otra parte
 
@@ -1432,6 +1437,9 @@ editing-no_link = no existe el eslabón {$name}
 editing-table_no_number = línea {$line}, columna {$column}: no hay un número
 editing-table_one_column = no hay segunda columna
 editing-table_line = escriba un lugar y un factor en cada línea, como `90,1500`
+editing-table_first = escriba números solos, un lugar y un factor, como `90,1500`; una primera línea que nombra las columnas no tiene números
+editing-table_more_cells = la línea {$line} tiene {$cells} celdas, y la primera línea {$first}
+editing-table_marks = separe las celdas con punto y coma si los números tienen coma decimal
 editing-table_unnamed = hay más de dos columnas, y la primera línea no las nombra
 editing-table_head = nombre las columnas en la primera línea, las de cargas como la escena las nombra
 editing-table_no_column = no hay columna para `{$load}`
@@ -1539,6 +1547,8 @@ check-power = una potencia
 
 # Tables.
 
+check-open_quotation = aquí se abren comillas que no se cierran en esta línea: las líneas siguientes se perderían
+check-close_quotation = ciérrelas, o quítelas
 check-no_table = esto no es una tabla: {$error}
 check-write_lines = escriba una línea `quantity,value` por valor; los nombres con coma van entre comillas dobles
 check-no_sense = `{$text}` no es un sentido de giro

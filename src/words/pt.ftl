@@ -1042,6 +1042,10 @@ scene-hollow_smaller = um perfil redondo de raio {$round} não cabe em um cônca
 scene-hollow_larger = o perfil côncavo tem o raio maior, com um menos à frente
 scene-radii_not_as_drawn = {$first} e {$second} estão desenhados a {$distance}, mas os raios dão {$radii}
 scene-radii_as_drawn = a soma dos raios é a distância dos centros; um desenho dispensa raios
+scene-face_not_as_drawn = {$center} está desenhado a {$distance} do perfil plano, mas o raio é {$radius}
+scene-face_as_drawn = o raio é a distância do centro de curvatura ao perfil plano; um desenho dispensa-o
+scene-face_on_other_side = {$center} está desenhado do lado errado do perfil plano: o primeiro corpo fica à direita de `along`
+scene-face_the_other_way = gire `along` em 180, ou nomeie os seus pontos na outra ordem
 scene-equivalent_taken = o elo equivalente se chamaria {$link}, mas há um elo com esse nome
 scene-name_equivalent = dê-lhe outro `name`
 
@@ -1193,6 +1197,7 @@ mechanism-make_revolute = transforme uma das juntas prismáticas em junta de rot
 mechanism-train_without_ratio = os dentes não dão os ângulos dos elos {$links}: as rodas giram do mesmo modo faça o que fizer o braço, portanto nada o move
 mechanism-other_teeth = dê outros números de dentes, de modo que a relação básica do trem não seja 1, ou acione o braço
 mechanism-two_radii = a roda {$link} de {$teeth} dentes teria dois raios primitivos, {$first} e {$second}: confira dentes e distâncias entre centros
+mechanism-belt_without_room = as rodas {$first} e {$second}, com raios {$radii}, estão a uma distância de {$distance}: assim uma correia não pode passar em volta delas; verifique o raio e a distância
 mechanism-off_guide = o cursor {$slider} não está em sua guia: está em {$position}, e a guia vai de {$low} a {$high}; o que disso segue não vale aqui
 mechanism-holds_here_alone = o contato de {$first} e {$second} é conhecido só nesta posição: seu mecanismo equivalente dá aqui velocidades, acelerações e forças, e nada em outra parte
 
@@ -1434,6 +1439,9 @@ editing-no_link = não existe o elo {$name}
 editing-table_no_number = linha {$line}, coluna {$column}: não há um número
 editing-table_one_column = não há segunda coluna
 editing-table_line = escreva um lugar e um fator em cada linha, como `90,1500`
+editing-table_first = escreva números simples, um lugar e um fator, como `90,1500`; uma primeira linha que nomeia as colunas não tem números
+editing-table_more_cells = a linha {$line} tem {$cells} células, e a primeira linha {$first}
+editing-table_marks = separe as células por ponto e vírgula se os números têm vírgula decimal
 editing-table_unnamed = há mais de duas colunas, e a primeira linha não as nomeia
 editing-table_head = nomeie as colunas na primeira linha, as de cargas como a cena as nomeia
 editing-table_no_column = não há coluna para `{$load}`
@@ -1541,6 +1549,8 @@ check-power = uma potência
 
 # Tables.
 
+check-open_quotation = aqui abrem-se aspas que não se fecham nesta linha: as linhas seguintes perder-se-iam
+check-close_quotation = feche-as, ou retire-as
 check-no_table = isto não é uma tabela: {$error}
 check-write_lines = escreva uma linha `quantity,value` por valor; nomes com vírgula ficam entre aspas duplas
 check-no_sense = `{$text}` não é um sentido de rotação

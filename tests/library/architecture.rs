@@ -244,8 +244,7 @@ fn folders_use_earlier_folders_only() {
             match rank.get(name.as_str()) {
                 Some(&other) if other <= own => {}
                 // What goes through all stages, and its error, which wraps theirs: for the program alone.
-                None if folder == "cli"
-                    && ["Error", "order_of_figure", "order_of_result", "posed"].contains(&name.as_str()) => {}
+                None if folder == "cli" && ["Error", "order_of_figure", "posed"].contains(&name.as_str()) => {}
                 // Work on all cores, below all folders.
                 None if name == "cores" => {}
                 // What goes wrong, what is said, sheets and texts of strangers, below all folders; the first also by its type.

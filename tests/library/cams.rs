@@ -479,6 +479,67 @@ fn drawn_profiles_move_as_those_from_lengths() {
 }
 
 /// Radii are added with all their digits: 0.1 and 0.2 make 0.3, and not the sum of what f64 makes of them.
+/// A flat profile is drawn where the radius puts it, on the side that its direction says, however that is written; else it is refused.
+#[test]
+fn flat_profiles_are_drawn_where_the_radius_puts_them() {
+    for seed in 0..COUNT {
+        let mut dice = Random(seed);
+        // The face runs along `way` through F, and the centre K lies to its right, `radius` below it.
+        let degrees = dice.below(3600) as f64 / 10.0;
+        let turn = |x: f64, y: f64| {
+            let (sin, cos) = libm::sincos(degrees.to_radians());
+            [x * cos - y * sin, x * sin + y * cos]
+        };
+        let radius = if seed % 10 == 0 { 0.0 } else { from(5.0, &mut dice) };
+        let [beside, second] = [0; 2].map(|_| from(3.0, &mut dice));
+        let at = |[x, y]: [f64; 2]| [40.0 + x, 30.0 + y];
+        let places = json!({ "A": [0, 0], "K": at(turn(beside, -radius)), "F": [40, 30], "G": at(turn(second, 0.0)), "D": [-70, 90] });
+        let is_on_ground = seed % 2 == 0;
+        let drawn = |along: Value, radius: Option<f64>| {
+            let face = json!({ "links": ["1", if is_on_ground { "ground" } else { "2" }], "centers": ["K"], "along": along, "through": "F" });
+            let mut scene = json!({ "kinegon": 1, "units": units(), "ground": ["A"], "points": places,
+                "links": { "1": { "points": ["A", "K"], "drive": { "omega": 2 } }, "2": ["D", "F", "G"] }, "contacts": [face] });
+            scene["ground"] = if is_on_ground { json!(["A", "F", "G"]) } else { json!(["A", "D"]) };
+            if is_on_ground {
+                scene["links"]["2"] = json!(["K", "D"]);
+            }
+            scene["contacts"][0]["radii"] = json!(radius.map(|radius| [radius]));
+            if radius.is_none() {
+                scene["contacts"][0].as_object_mut().expect("an object").remove("radii");
+            }
+            Scene::read(&scene.to_string())
+        };
+        let axis = if is_on_ground { 0.0 } else { libm::atan2(30.0 - 90.0, 40.0 + 70.0).to_degrees() };
+        let ways = |sign: f64| {
+            let points = if sign > 0.0 { "F-G" } else { "G-F" };
+            let turned = if sign > 0.0 { 0.0 } else { 180.0 };
+            [json!(points), json!(turn(sign, 0.0)), json!(degrees - axis + turned)]
+        };
+        for along in ways(1.0) {
+            for own in [Some(radius), Some(radius * 1.005), None] {
+                drawn(along.clone(), own).unwrap_or_else(|error| panic!("{seed}: {along}, {own:?}: {error}"));
+            }
+            let off =
+                [radius + 0.05 * radius.max(beside), 0.95 * radius - 0.05 * if radius > 0.0 { 0.0 } else { beside }];
+            for own in off.into_iter().filter(|own| *own >= 0.0) {
+                let error = drawn(along.clone(), Some(own)).expect_err("another radius").to_string();
+                assert!(
+                    error.contains("contacts[0].radii: K is drawn") && error.contains("but the radius is"),
+                    "{error}"
+                );
+            }
+        }
+        if radius > 0.0 {
+            for along in ways(-1.0) {
+                for own in [Some(radius), None] {
+                    let error = drawn(along.clone(), own).expect_err("the other side").to_string();
+                    assert!(error.contains("contacts[0].along: K is drawn on the wrong side"), "{error}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn radii_are_added_with_all_their_digits() {
     let scene = |contacts: Value, link: Value| {

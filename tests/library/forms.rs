@@ -66,6 +66,16 @@ fn every_verdict_has_its_box() {
     }
 }
 
+/// A double quote that never closes takes the lines below with it: that is told, and nothing is an empty form.
+#[test]
+fn an_open_quotation_mark_is_told() {
+    let measured = Measured::read_csv("omega(3),4\n\"omega(2),5\nalpha(2),6\n").expect("a table");
+    assert_eq!(measured.values.len(), 1);
+    let faults: Vec<String> = measured.faults.iter().map(ToString::to_string).collect();
+    assert!(faults.len() == 1 && faults[0].contains("line 2") && faults[0].contains("double quote"), "{faults:?}");
+    assert!(Measured::read_csv("\"omega(3)\",4\n\"L(B,S3)\",\"5,5\"\n").expect("a table").faults.is_empty());
+}
+
 #[test]
 fn values_that_are_not_understood_are_told_apart() {
     let solution = solved(&files::read("templates/four-bar.json")).expect("a starting scene is sound");

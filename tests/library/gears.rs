@@ -409,6 +409,31 @@ fn wheels_of_two_sizes_and_trains_without_a_ratio_are_told() {
     assert!(with(60.0).is_empty() && with(61.0).is_empty());
     let warnings = with(70.0);
     assert!(warnings.len() == 1 && warnings[0].contains("two pitch radii, 20.0000 and 23.3333"), "{warnings:?}");
+    // A rim of 20 teeth in a mesh and on a rack, whose radius says how large it is; and wheels that a belt with such radii cannot run around.
+    let on_rack = |radius: f64| {
+        let mut own = scene(30, 40, 50.0);
+        own["links"]["3"] = json!({ "points": ["F", "G"], "lengths": { "FG": 5 } });
+        own["gears"][1] = json!({ "mesh": ["2", "3"], "teeth": [20, "rack"], "radius": radius, "on": "ground" });
+        own["sliders"] = json!([{ "link": "3", "at": "F", "on": "ground", "through": [0, -30], "along": 0 }]);
+        solution(&own).result().warnings
+    };
+    assert!(on_rack(20.3).is_empty());
+    let warnings = on_rack(24.0);
+    assert!(warnings.len() == 1 && warnings[0].contains("two pitch radii, 20.0000 and 24.0000"), "{warnings:?}");
+    let with_belt = |belt: &str, radius: f64| {
+        let mut own = scene(30, 40, 50.0);
+        own["ground"] = json!({ "A": [0, 0], "D": [50, 0] });
+        own["links"].as_object_mut().expect("an object").remove("3");
+        own["gears"] =
+            json!([{ "mesh": ["1", "2"], "teeth": [30, 20], "belt": belt, "radius": radius, "on": "ground" }]);
+        solution(&own).result().warnings
+    };
+    // Radii r and 2 r / 3, centres 50 apart: crossed up to r = 30, open up to r = 150.
+    for (belt, fits, too_large) in [("crossed", 29.9, 30.1), ("open", 149.0, 151.0)] {
+        assert!(with_belt(belt, fits).is_empty(), "{belt}: {:?}", with_belt(belt, fits));
+        let warnings = with_belt(belt, too_large);
+        assert!(warnings.len() == 1 && warnings[0].contains("are 50.0000 apart: a belt cannot run"), "{warnings:?}");
+    }
     // Two rims on the planet of equal size, two suns of equal size: both turn alike whatever the arm does.
     let locked = json!({ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0] },
         "links": { "arm": { "points": ["A", "B"], "lengths": { "AB": 60 } }, "planet": ["B"],

@@ -9,6 +9,7 @@ use kinegon::drawing::{Drawing, HeldLayout, Pane, Point, Shape};
 use kinegon::geometry::direction_of_degrees;
 use kinegon::quantity::pencil;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use support::files;
 use support::random::Random;
 
@@ -91,6 +92,57 @@ fn parallels_cut_angular_velocities_off_one_base() {
             assert!(*length > 0.0 && (length - lengths[0].0).abs() < 1e-9 * length, "{kind}: {lengths:?}");
             assert!((height - lengths[0].1).abs() < 1e-9, "{kind}: {lengths:?}");
         }
+    }
+}
+
+/// The names below the base, each with its number.
+fn told(drawing: &Drawing) -> Vec<(String, String)> {
+    let text = |id: &str| {
+        let mark = drawing.marks.iter().find(|mark| mark.id.as_deref() == Some(id))?;
+        let Shape::Text(text) = &mark.shape else { return None };
+        Some(text.text.content())
+    };
+    let all = (0..20).filter_map(|line| {
+        Some((text(&format!("speeds-label-rate-{line}"))?, text(&format!("speeds-label-value-{line}"))?))
+    });
+    all.collect()
+}
+
+/// What lies close on paper and is not equal has a name and a number of its own; equal are speeds whose whole fractions are.
+#[test]
+fn only_equal_speeds_are_told_as_equal() {
+    // Carrier 300; planets 300 − 30/18 and 300 + 30/18, the other sun 299 rpm: all within a hair's breadth of each other.
+    let scene = serde_json::from_str(&files::read("tests/trains/differential-301.json")).expect("JSON");
+    let mut found = told(&solution(&scene).figure());
+    found.sort();
+    let wanted = [("n1", "300"), ("n2", "298"), ("n3", "302"), ("n4", "301"), ("n5", "299")];
+    assert_eq!(found, wanted.map(|(name, number)| (name.to_owned(), number.to_owned())));
+    // Arm and sun of a planetary train with a free ring driven by whole numbers that are nearly or quite the same.
+    for seed in 0..COUNT {
+        let mut dice = Random(seed);
+        let [sun, planet] = [0; 2].map(|_| 17 + dice.below(44) as i64);
+        let (ring, arm, turned) = (sun + 2 * planet, 5000 + dice.below(3) as i64, dice.below(2) as i64);
+        let mut scene = planetary([sun, planet], arm, 20);
+        scene["links"]["3"] =
+            json!({ "points": ["A", "E"], "lengths": { "AE": 9 }, "drive": { "angle": 0, "omega": arm + turned } });
+        scene["links"]["4"] = json!(["A"]);
+        scene["gears"][1]["mesh"][1] = json!("4");
+        // Numerators of ω over planet · ring.
+        let rates =
+            [("1", 0), ("2", -turned * sun * ring), ("3", turned * planet * ring), ("4", -turned * sun * planet)];
+        let mut wanted: BTreeMap<i64, Vec<String>> = BTreeMap::new();
+        rates.into_iter().for_each(|(link, rate)| wanted.entry(rate).or_default().push(format!("\u{3c9}{link}")));
+        let found = told(&solution(&scene).figure());
+        let parted = |(names, _): &(String, String)| {
+            let mut parts: Vec<String> = names.split(" = ").map(str::to_owned).collect();
+            parts.sort();
+            parts
+        };
+        let mut found: Vec<Vec<String>> = found.iter().map(parted).collect();
+        found.sort();
+        let mut wanted: Vec<Vec<String>> = wanted.into_values().collect();
+        wanted.sort();
+        assert_eq!(found, wanted, "{seed}: arm {arm}, sun {}", arm + turned);
     }
 }
 

@@ -147,6 +147,7 @@ mod toothed;
 mod trains;
 mod values;
 mod whole_errors;
+mod willis;
 mod worked;
 mod worksheets;
 

@@ -42,6 +42,52 @@ fn values_without_room_are_named() {
     assert!(!stderr(&run(&["draw", "tests/lecture/valve.json", "-o", "-"])).contains("no room for the values"));
 }
 
+/// What a scene wants stands beside everything else, and takes nothing away: not the accelerations, where it wants an angle, a velocity or nothing.
+#[test]
+fn what_is_wanted_takes_nothing_away() {
+    let folder = scratch("values-wanted");
+    let scene = |want: Option<serde_json::Value>| {
+        // An offset slider-crank.
+        let mut scene = serde_json::json!({ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0] },
+            "links": { "2": { "points": ["A", "B"], "lengths": { "AB": 40 }, "drive": { "angle": 60, "omega": 30, "alpha": 20 } },
+                       "3": { "points": ["B", "C"], "lengths": { "BC": 120 } }, "4": ["C"] },
+            "sliders": [{ "link": "4", "at": "C", "on": "ground", "through": [0, -20], "along": 0 }],
+            "near": { "C": [127, -20] } });
+        if let Some(want) = want {
+            scene["want"] = want;
+        }
+        std::fs::write(folder.join("scene.json"), scene.to_string()).expect("it can be written");
+    };
+    let solve = |more: &[&str]| {
+        let path = folder.join("scene.json");
+        let output = run(&[&["solve", path.to_str().expect("UTF-8")][..], more].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        String::from_utf8(output.stdout).expect("UTF-8")
+    };
+    let without = |mut result: serde_json::Value| {
+        for key in ["quantities", "quantity_errors"] {
+            result.as_object_mut().expect("an object").remove(key);
+        }
+        result
+    };
+    let json = |text: String| serde_json::from_str(&text).expect("JSON");
+    scene(None);
+    let (whole, table) = (without(json(solve(&[]))), solve(&["--digits"]));
+    for want in [serde_json::json!(["angle(3)"]), serde_json::json!([]), serde_json::json!(["omega(3)", "v(C)"])] {
+        scene(Some(want.clone()));
+        let result = without(json(solve(&[])));
+        assert_eq!(result, whole, "{want}");
+        // α of the rod and a of the slider by the derivatives of 40 sin 60° + 120 sin φ = −20.
+        let own = [&result["links"]["3"]["alpha"], &result["points"]["C"]["acceleration"][0]];
+        for (own, truth) in own.into_iter().zip([271.940_489_809_7, -7_203.303_063_209_7]) {
+            let own = own.as_f64().expect("a number");
+            assert!((own - truth).abs() < 1e-6 * truth.abs(), "{want}: {own} for {truth}");
+        }
+        let digits = solve(&["--digits"]);
+        assert!(table.lines().all(|line| digits.contains(line)), "{want}: {digits}");
+    }
+}
+
 #[test]
 fn a_unit_that_is_none_is_refused() {
     let output = run(&["draw", "tests/lecture/valve.json", "--values=furlong", "-o", "-"]);

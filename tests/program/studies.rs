@@ -31,6 +31,13 @@ fn study(keys: &str) -> String {
     )
 }
 
+/// The scene of that study, in a file of its own.
+#[cfg(unix)]
+fn example() -> String {
+    let study: serde_json::Value = serde_json::from_str(&study(r#""vary": {}"#)).expect("JSON");
+    study["scene"].to_string()
+}
+
 /// The rows of a CSV file by the names of its columns.
 struct Table(csv::StringRecord, Vec<csv::StringRecord>);
 
@@ -342,6 +349,42 @@ fn parts_that_have_changed_are_told_and_runs_apart() {
     assert!(again.status.success());
     let [all, whole] = ["all.csv", "whole.csv"].map(|name| std::fs::read(folder.join(name)).expect("written"));
     assert!(all == whole, "other bytes");
+}
+
+/// What a study names is a file, and so are its parts: nothing waits for a pipe or for stdin.
+#[test]
+#[cfg(unix)]
+fn only_files_are_read_for_a_study() {
+    let folder = scratch("study-special");
+    let keys = r#""vary": { "2.BC": { "plus_minus": 5 } }, "count": 5000, "cycle": { "from": 0, "to": 10, "step": 5 },
+        "want": { "omega(3)": ["max"] }"#;
+    std::fs::write(folder.join("scene.json"), example()).expect("written");
+    let pipe = |path: &str| assert!(Command::new("mkfifo").arg(folder.join(path)).status().expect("it runs").success());
+    let run = |scene: &str| {
+        let study = format!(r#"{{ "kinegon_study": 1, "scene": "{scene}", {keys} }}"#);
+        std::fs::write(folder.join("study.json"), study).expect("written");
+        let mut command = program::kinegon();
+        let output = program::in_a_minute(
+            command.current_dir(&folder).args(["study", "study.json", "-o", "all.csv"]),
+            example().as_bytes(),
+        );
+        let output = output.unwrap_or_else(|| panic!("{scene}: it waits"));
+        (output.status.code(), stderr(&output))
+    };
+    let (code, message) = run("-");
+    assert!(code == Some(2) && message.contains("-, which the study names as its scene, cannot be read"), "{message}");
+    pipe("pipe");
+    let (code, message) = run("pipe");
+    assert!(code == Some(2) && message.contains("pipe, which the study names as its scene, is a pipe"), "{message}");
+    std::fs::create_dir(folder.join("all.csv.parts")).expect("made");
+    pipe("all.csv.parts/lock");
+    pipe("all.csv.parts/0000000000-0000004096");
+    let (code, message) = run("scene.json");
+    assert_eq!(code, Some(0), "{message}");
+    std::fs::create_dir(folder.join("all.csv.parts")).expect("made");
+    pipe("all.csv.parts/study");
+    let (code, message) = run("scene.json");
+    assert!(code == Some(1) && message.contains("study is a pipe or a device"), "{message}");
 }
 
 /// A study of a stranger may name any file as its scene; nothing of it is shown.

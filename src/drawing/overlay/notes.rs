@@ -101,8 +101,8 @@ impl Item for Notes<'_> {
         }
     }
 
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        let area = match layout.aside {
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout, aside: Option<Rect>) {
+        let area = match aside {
             Some(column) if self.is_column() => {
                 drawing.draw(Pen::Frame, Shape::rectangle(column));
                 Rect { y0: column.y0 + TOP, ..column }

@@ -13,7 +13,7 @@ use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Mark, Pen};
 use crate::drawing::text::RichText;
 use crate::drawing::values::{VALUE, is_hidden};
-use crate::drawing::view::{Extent, Series, View, on_sheet, together};
+use crate::drawing::view::{Extent, ONE_PLACE, Series, View, on_sheet, together_where};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::scene::ConstructionShown;
@@ -335,7 +335,7 @@ impl<'a> PlanOnPaper<'a> {
         format!("{} {unit}", words.write(of * self.view.mu(), VALUE))
     }
 
-    /// The visible points, grouped by place.
+    /// The visible points, those of one place together; what only lies close on paper has a name of its own.
     fn places(&self) -> Vec<(Point, Vec<&'a str>, PointRole)> {
         let plan = self.plan;
         // The image of a ground point under a slider coincides with the pole: it is left out.
@@ -353,7 +353,10 @@ impl<'a> PlanOnPaper<'a> {
             let role = plan.points[here[0]].role;
             (place, here, role)
         };
-        together(places, SHARED).into_iter().map(role).collect()
+        let largest = plan.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
+        let place = |name: &str| plan.points[name].vector;
+        let is_one = |a: &&str, b: &&str| (place(a) - place(b)).norm() <= ONE_PLACE * largest;
+        together_where(places, SHARED, is_one).into_iter().map(role).collect()
     }
 
     /// Pen and radius of a point's dot.

@@ -1,15 +1,18 @@
 //! The parallels through the pole, and what they cut off the base, with its names and numbers in one row.
 
-use super::{DiagramOnPaper, SHARED, TICK};
-use crate::construction::PitchCircle;
+use super::{DiagramOnPaper, TICK};
+use crate::accuracy::{Bounds, bounds};
+use crate::construction::{PitchCircle, Solution};
 use crate::drawing::canvas::Canvas;
+use crate::drawing::context::SheetContext;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
 use crate::drawing::text::{Anchor, BESIDE, LABEL, PlacedText, RichText};
 use crate::drawing::values::VALUE;
-use crate::drawing::view::together;
+use crate::mechanism::BodyId;
 use kurbo::{Point, Vec2};
+use std::cell::OnceCell;
 
 /// Radius of the pole, in mm.
 const POLE: f64 = 1.1;
@@ -42,6 +45,32 @@ impl Named {
     }
 }
 
+/// Which links turn equally: their numbers say so, and not how close their marks are on paper.
+struct Alike<'a> {
+    solution: &'a Solution,
+    bounds: OnceCell<Bounds<'a>>,
+}
+
+/// Angular velocities that differ by more than this part of the larger one differ by more than any error of theirs.
+const APART: f64 = 1e-6;
+
+impl<'a> Alike<'a> {
+    fn of(context: &'a SheetContext<'_>) -> Alike<'a> {
+        Alike { solution: context.solution, bounds: OnceCell::new() }
+    }
+
+    /// Whether the angular velocities of two links are equal within the errors of both.
+    fn turn(&self, first: BodyId, second: BodyId) -> bool {
+        let Solution { scene, mechanism, pose, motion, .. } = self.solution;
+        let [one, other] = [first, second].map(|link| motion.body(link).omega);
+        if one == other || (one - other).abs() > APART * one.abs().max(other.abs()) {
+            return one == other;
+        }
+        let bounds = self.bounds.get_or_init(|| bounds(scene, mechanism, pose, motion));
+        (one - other).abs() <= [first, second].map(|link| bounds.angular_rates(link)[0]).iter().sum()
+    }
+}
+
 impl DiagramOnPaper<'_> {
     /// The parallels through the pole, and what they cut off the base.
     pub(super) fn fan(&self, canvas: &mut Canvas<'_>) {
@@ -57,7 +86,8 @@ impl DiagramOnPaper<'_> {
         canvas.draw(Pen::Frame, Shape::Line(pole, foot));
         canvas.draw(Pen::Pole, Shape::Circle { center: pole, radius: POLE });
         canvas.ask("pole", LabelRequest::new(RichText::math("o"), pole, POLE + 0.5, None, 2));
-        let mut marks: Vec<(Point, (usize, u16))> = Vec::new();
+        let alike = Alike::of(self.context);
+        let mut marks: Vec<(Point, Vec<(usize, u16)>)> = Vec::new();
         for ((index, (line, &step)), cut) in turning().zip(cuts) {
             canvas.step = step;
             let name = &self.context.mechanism().body(line.link).name;
@@ -65,10 +95,13 @@ impl DiagramOnPaper<'_> {
                 self.context.number(line.link);
             let stroke = Vec2::new(0.0, TICK);
             canvas.draw(Pen::Frame, Shape::Line(cut - stroke, cut + stroke));
-            marks.push((cut, (index, step)));
+            let same = marks.iter_mut().find(|(_, lines)| alike.turn(self.diagram.lines[lines[0].0].link, line.link));
+            match same {
+                Some((_, lines)) => lines.push((index, step)),
+                None => marks.push((cut, vec![(index, step)])),
+            }
         }
-        let mut named: Vec<Named> =
-            together(marks.into_iter(), SHARED).into_iter().map(|(at, lines)| self.named(at, &lines)).collect();
+        let mut named: Vec<Named> = marks.into_iter().map(|(at, lines)| self.named(at, &lines)).collect();
         named.sort_by(|a, b| a.at.x.total_cmp(&b.at.x));
         self.names(canvas, &named);
     }

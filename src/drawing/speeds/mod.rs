@@ -15,7 +15,7 @@ use super::scheme::{hatch_line, hatch_rim, tangents};
 use super::shape::Shape;
 use super::sheet::Pen;
 use super::text::RichText;
-use super::view::{Extent, View, together};
+use super::view::{Extent, ONE_PLACE, View, together_where};
 use crate::construction::{Action, Construction, SpeedDiagram, SpeedStep, SpotName, display, image_name};
 use crate::geometry;
 use crate::mechanism::GROUND;
@@ -255,12 +255,19 @@ impl DiagramOnPaper<'_> {
             let name = spot.name.clone();
             if (tip - from).hypot() > SHARED {
                 canvas.draw_named(&format!("velocity-{name}"), Pen::Velocity, canvas.arrow(from, tip));
-                tips.push((tip, (image_name(&name), canvas.step)));
+                tips.push((tip, (image_name(&name), canvas.step, index)));
             }
         }
-        for (at, names) in together(tips.into_iter(), SHARED) {
-            canvas.step = names.iter().map(|(_, step)| *step).min().unwrap_or_default();
-            let shown: Vec<String> = names.iter().map(|(name, _)| self.context.shown(name, None)).collect();
+        let place = |index: usize| Vec2::new(self.diagram.spots[index].velocity, self.diagram.spots[index].height);
+        let fastest = self.diagram.spots.iter().map(|spot| spot.velocity.abs()).fold(0.0, f64::max);
+        let highest = self.diagram.spots.iter().map(|spot| spot.height.abs()).fold(0.0, f64::max);
+        let is_one = |(.., a): &(String, u16, usize), (.., b): &(String, u16, usize)| {
+            let off = place(*a) - place(*b);
+            off.x.abs() <= ONE_PLACE * fastest && off.y.abs() <= ONE_PLACE * highest
+        };
+        for (at, names) in together_where(tips.into_iter(), SHARED, is_one) {
+            canvas.step = names.iter().map(|(_, step, _)| *step).min().unwrap_or_default();
+            let shown: Vec<String> = names.iter().map(|(name, ..)| self.context.shown(name, None)).collect();
             let way = if at.x < self.at(self.layout.zero, 0.0).x { -1.0 } else { 1.0 };
             let request = LabelRequest::new(RichText::math(&shown.join(", ")), at, 0.9, Some(Vec2::new(way, 0.0)), 2);
             canvas.ask(&format!("tip-{}", names[0].0), request);

@@ -100,8 +100,9 @@ fn of_rack(
     let start = slides.last()?.1 * given.position;
     let travel = Travel { slides, start, radius: given.radius };
     let terms = smallvec![(carrier, -1), (joint.bodies[given.wheel], 1)];
+    let (wheel, radius) = (given.wheel, given.radius);
     let rack =
-        Rack { wheel: given.wheel, center, slider: last, side, radius: given.radius, pressure_deg: gear.pressure_deg };
+        Rack { wheel, center, slider: last, side, radius, teeth: gear.teeth[wheel], pressure_deg: gear.pressure_deg };
     Some(Joint {
         angular: Some(AngularConstraint { travel: Some(travel), ..AngularConstraint::degrees(terms, 0.0) }),
         rack: Some(rack),
@@ -161,16 +162,32 @@ fn guide_in_place(mechanism: &Mechanism, id: SliderId) -> Vector {
 pub(in crate::mechanism) fn unlike_wheels(mechanism: &Mechanism) -> Vec<Message> {
     let mut rims: Vec<(BodyId, i32, f64)> = Vec::new();
     let mut found = Vec::new();
+    let short = |radius: f64| format!("{radius:.4}");
     for joint in &mechanism.joints {
-        let (Some(pitch), Some(angular)) = (joint.pitch, joint.angular.as_ref()) else { continue };
-        let carrier = angular.terms[2].0;
-        let Some(distance) = distance(mechanism, carrier, pitch.centers) else { continue };
-        for (wheel, teeth) in joint.bodies.into_iter().zip(pitch.all_teeth) {
-            let radius = distance * f64::from(teeth.abs()) / f64::from(pitch.all_teeth.iter().sum::<i32>().abs());
+        let carrier = joint.related_bodies().find(|body| !joint.bodies.contains(body));
+        let apart = |centers| distance(mechanism, carrier?, centers);
+        let mut own = Vec::new();
+        if let Some((pitch, distance)) = joint.pitch.and_then(|pitch| Some((pitch, apart(pitch.centers)?))) {
+            let sum = f64::from(pitch.all_teeth.iter().sum::<i32>().abs());
+            let radius = |teeth: i32| distance * f64::from(teeth.abs()) / sum;
+            own.extend(
+                joint.bodies.into_iter().zip(pitch.all_teeth).map(|(wheel, teeth)| (wheel, teeth, radius(teeth))),
+            );
+        }
+        own.extend(joint.rack.map(|rack| (joint.bodies[rack.wheel], rack.teeth, rack.radius)));
+        if let Some((belt, distance)) = joint.belt.and_then(|belt| Some((belt, apart(belt.centers)?))) {
+            let [first, second] = belt.radii;
+            let least = if belt.is_crossed { first + second } else { (first - second).abs() };
+            if belt.is_sized && distance <= least {
+                let [one, other] = joint.bodies.map(|body| mechanism.body(body).name.as_str());
+                let radii = format!("{}, {}", short(first), short(second));
+                found.push(says::belt_without_room(one, other, radii, short(distance)));
+            }
+        }
+        for (wheel, teeth, radius) in own {
             let is_same = |(other, own, _): &&(BodyId, i32, f64)| *other == wheel && *own == teeth;
             match rims.iter().find(is_same) {
                 Some((.., other)) if (radius - other).abs() > UNLIKE * radius.max(*other) => {
-                    let short = |radius: f64| format!("{radius:.4}");
                     let name = mechanism.body(wheel).name.as_str();
                     found.push(says::two_radii(name, i64::from(teeth.abs()), short(*other), short(radius)));
                 }

@@ -86,6 +86,8 @@ pub struct Rack {
     pub side: f64,
     /// The radius of the wheel's pitch circle.
     pub radius: f64,
+    /// Its number of teeth.
+    pub teeth: i32,
     /// The angle of the line of action from the pitch line, in degrees.
     pub pressure_deg: f64,
 }

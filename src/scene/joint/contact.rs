@@ -5,9 +5,9 @@ use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::slider::{Slider, SliderFile, face};
+use super::slider::{Along, Slider, SliderFile, face};
 use super::{JointKind, Meaning, On};
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector, complex_product, direction_of_degrees, unit};
 use crate::message::Message;
 use crate::scene::digits::Digits;
 use crate::scene::error::{Wrong, number};
@@ -160,7 +160,10 @@ pub(in crate::scene) fn faces(
     for (number, Read { mut contact, slider, .. }) in read.into_iter().enumerate() {
         if let (Some(slider), Equivalent::Slider { index, radius, .. }) = (slider, &mut contact.equivalent) {
             *index = sliders.len();
-            let pin = face(given_by, names, coordinates, slider, radius.unwrap_or(0.0));
+            let pin = face(given_by, names, coordinates, slider, radius.unwrap_or(0.0)).and_then(|pin| {
+                let is_wrong = check_face(names, coordinates, &pin, *radius).filter(|_| given_by == GivenBy::Drawing);
+                is_wrong.map_or(Ok(pin), Err)
+            });
             sliders.push(pin.map_err(|wrong| wrong.inside(&["contacts", &number.to_string()]))?);
         }
         all.push(contact);
@@ -294,6 +297,40 @@ fn check_drawn(coordinates: &Coordinates, centers: &[String; 2], radii: [f64; 2]
     let short = |x: f64| number(libm::round(x * 1e4) / 1e4);
     let message = says::radii_not_as_drawn(&centers[0], &centers[1], short(distance), short(wanted));
     is_far.then(|| Wrong::value(&["radii"], message).hint(says::radii_as_drawn()))
+}
+
+/// The error of a flat profile that is not drawn where the radius puts it: so far to the left of the centre of curvature, looking along the profile.
+fn check_face(names: &Names<'_>, coordinates: &Coordinates, face: &Slider, radius: Option<f64>) -> Option<Wrong> {
+    let place = |name: &String| coordinates.get(name).map(|&place| Point::from(place));
+    let center = face.pin.as_ref()?;
+    let body = points(names, &face.on);
+    let through = match &face.through {
+        Some(At::Place(through)) => Point::from(*through),
+        _ => place(face.counted_from(body.first())?)?,
+    };
+    let along = match &face.along {
+        Along::Points(from, to) => unit(place(to)? - place(from)?)?,
+        Along::Direction(along) => unit(Vector::from(*along))?,
+        // Degrees count from the axis of the body, on the ground from +x.
+        Along::Degrees(degrees) => {
+            let axis = match body {
+                [from, to, ..] if face.on != On::Ground => unit(place(to)? - place(from)?)?,
+                _ => Vector::x(),
+            };
+            complex_product(axis, direction_of_degrees(*degrees))
+        }
+    };
+    let arm = through - place(center)?;
+    let distance = along.perp(&arm);
+    let short = |x: f64| number(libm::round(x * 1e4) / 1e4);
+    if distance < -DRAWN * arm.norm() {
+        return Some(Wrong::value(&["along"], says::face_on_other_side(center)).hint(says::face_the_other_way()));
+    }
+    let radius = radius?;
+    let most = if radius == 0.0 { arm.norm() } else { distance.max(radius) };
+    let message = says::face_not_as_drawn(center, short(distance), short(radius));
+    let is_far = (distance - radius).abs() > DRAWN * most;
+    is_far.then(|| Wrong::value(&["radii"], message).hint(says::face_as_drawn()))
 }
 
 /// The name of the equivalent link, if no other link has it.

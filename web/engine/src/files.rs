@@ -5,7 +5,6 @@ use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Hodographs, Path, PointPaths, Sweep, says};
 use kinegon::drawing::{self, Drawing, Point, curves, drive_ends, hodograph_ways, hodographs, path_ways, paths};
 use kinegon::format;
-use kinegon::order_of_result;
 use kinegon::quantity::step_pencil;
 use kinegon::scene::{LanguageName, SizeLimit};
 use kinegon::words::{Language, Wording};
@@ -159,7 +158,7 @@ impl Desk {
         match format {
             Format::Csv => kept.table(of).map(String::into_bytes),
             Format::Json => {
-                let solution = kept.solution(order_of_result(&kept.scene))?;
+                let solution = kept.solution(Order::Acceleration)?;
                 let result = solution.whole_result().map_err(|error| Refused::of(text, error))?;
                 Ok(format::json(&result).into_bytes())
             }

@@ -9,7 +9,7 @@ use kinegon::mechanism::Mechanism;
 use kinegon::quantity::{QuantityName, QuantityRequest, force_names, measured_names, turning_names};
 use kinegon::scene::{Argument, GivenBy, SizeLimit};
 use kinegon::words::Wording;
-use kinegon::{Sheet, Solution, order_of_result};
+use kinegon::{Order, Sheet, Solution};
 use serde_json::Value;
 
 impl Desk {
@@ -64,7 +64,7 @@ impl Desk {
     /// All rates, velocities and accelerations with their certain digits.
     pub fn values(&mut self, text: &str) -> Result<Vec<ValueRow>, Refused> {
         let kept = self.kept(text)?;
-        let solution = kept.solution(order_of_result(&kept.scene))?;
+        let solution = kept.solution(Order::Acceleration)?;
         let labels = SheetLabels::of(solution);
         let label = |name: &str| match QuantityRequest::new(name, &solution.mechanism) {
             Ok(asked) => html_text(&labels.quantity(&asked)),
