@@ -169,8 +169,8 @@ fn values_for_millimetres_and_degrees_for_radians_are_told() {
     let written = |sheet: &str, text: &dyn Fn(f64) -> Option<String>| {
         let boxes = form_boxes(&solution).into_iter();
         let values = boxes.map(|found| {
-            let value = found.asked.value(&solution.snapshot(), Some(&solution.construction), None).ok();
-            let value = value.and_then(|value| value.as_number()).expect("a number");
+            let value = found.asked.value(&solution.snapshot(), Some(&solution.construction), None);
+            let value = value.expect("a value").as_number();
             let own = if found.asked.is_distance() {
                 let scale = if found.asked.kind().unit(solution.scene.units) == "mm/s" { 2.0 } else { 20.0 };
                 format!("{:.1}", value.abs() / scale)

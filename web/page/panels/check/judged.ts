@@ -23,7 +23,7 @@ function unitsMistaken(result: CheckResult | null | undefined): Map<string, stri
   const { mistakes, probability } = result?.diagnosis ?? { mistakes: [], probability: 0 };
   const told = mistakes.filter(({ mistake }) => probability >= SURE && OF_UNITS.includes(mistake));
   // The box says itself which quantity it is.
-  return new Map(told.flatMap(({ written = [], done, should_be }) => written.map((name): [string, string] => [name, `${plainly(done).replace(`${name}: `, "")}. ${plainly(should_be)}`])));
+  return new Map(told.flatMap(({ written = [], done, should_be }) => written.map((name): [string, string] => [name, `${plainly(done).replace(`${name}: `, "")}: ${plainly(should_be)}`])));
 }
 
 /** A sentence of results, in which letters have their indices behind a stroke. */
