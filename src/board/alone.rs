@@ -66,7 +66,12 @@ impl Bench<'_> {
         let mut missed = None;
         for one in &self.meant(line) {
             let is_typed = is_typed || self.reads_typed(one);
-            match self.holds(one, name, is_typed) {
+            let held = match self.holds(one, name, is_typed) {
+                // It is not used yet: right is one that leads to a point that is still to be found.
+                Held::Nothing if !self.targets.contains_key(name) && self.leads_on(one, is_typed) => Held::All,
+                held => held,
+            };
+            match held {
                 Held::Nothing => return Found::Own,
                 Held::All => match self.line_off_hand(one, line) {
                     None => return Found::Right,
@@ -106,6 +111,33 @@ impl Bench<'_> {
             }
         }
         first.map_or(Held::Nothing, Held::Not)
+    }
+
+    /// Whether a line goes through a point of the plan that the hand does not have yet.
+    fn leads_on(&self, entry: &Entry, is_typed: bool) -> bool {
+        let Some(sheet) = self.own.carry_out(entry).ok().and_then(|made| match made {
+            Made::Line(_, line) => Some(line.sheet),
+            _ => None,
+        }) else {
+            return false;
+        };
+        let given = self.judge.given();
+        // A point may have several names.
+        let has = |at: Vector| {
+            let near = SAME * given.size(sheet);
+            given
+                .places(sheet)
+                .any(|(name, place)| self.own.place(sheet, name).is_some() && (place - at).norm() <= near)
+        };
+        let mut open = given.places(sheet).filter(|(_, at)| !has(*at));
+        open.any(|(name, _)| {
+            self.scenes(is_typed).enumerate().all(|(scene, table)| {
+                let Ok(Made::Line(_, line)) = table.carry_out(entry) else { return scene > 0 };
+                let Some(place) = table.given.place(sheet, name) else { return false };
+                let allowed = if is_typed { self.typed_reach(sheet, (place - line.at).norm()) } else { 0.0 };
+                line.distance(place).abs() <= allowed + SAME * table.given.size(sheet)
+            })
+        })
     }
 
     /// The right things of the scenes that count.

@@ -4,7 +4,7 @@ use super::measured::{AnswerKey, CheckError, Given, Measured, Positive};
 use super::names::{Meant, Names};
 use super::placed;
 use super::says;
-use super::written::{Precision, factors, few_digits, number, rounding_to, whole_rounding};
+use super::written::{Precision, factors, few_digits, is_by_ruler, number, rounding_to, whole_rounding};
 use crate::quantity::QuantityRequest;
 use crate::text;
 
@@ -125,7 +125,9 @@ fn find_precisions(entries: &mut [Entry]) {
         if entry.text.is_empty() {
             continue;
         }
-        let is_alike = |other: &&Entry| other.asked.kind() == entry.asked.kind() && other.on_paper == entry.on_paper;
+        let is_alike = |other: &&Entry| {
+            other.asked.kind() == entry.asked.kind() && other.on_paper == entry.on_paper && other.unit == entry.unit
+        };
         let precision = known.iter().find(|(first, _)| is_alike(&&entries[*first])).map(|(_, precision)| *precision);
         let precision = precision.unwrap_or_else(|| {
             let all = Precision::of(entries.iter().filter(is_alike).map(|e| e.text.as_str()));
@@ -161,7 +163,7 @@ impl<'a> Reader<'a> {
         let Meant { asked, row, expected, step } = self.names.meant(&name, self.names_ground)?;
         let (kind, sheet) = (asked.kind(), asked.sheet());
         let has_length = asked.is_length_on_sheet();
-        let on_paper = marked || (self.measured.in_mm && asked.is_distance());
+        let on_paper = marked || (self.measured.in_mm && asked.is_distance() && is_by_ruler(given));
         if marked && !has_length {
             let hint = says::write_in(kind.unit(self.key.solution.scene.units));
             return Err(CheckError::new(says::no_length_on_paper(text::shown(&name)), hint));

@@ -116,10 +116,11 @@ fn with_unit(text: &str) -> (String, Option<String>) {
     if whole.parse::<f64>().is_ok() {
         return (whole, None);
     }
-    // The longest number before a letter: what is behind the last digit of an exponent.
+    // The longest number before a letter, what is behind the last digit of an exponent; or before `1/min`.
     let number = |at: usize| with_point(text[..at].trim());
-    let letters = text.char_indices().take(LONGEST).filter(|(_, c)| c.is_alphabetic() || *c == '°');
-    match letters.map(|(at, _)| at).filter(|at| number(*at).parse::<f64>().is_ok()).last() {
+    let begins = |at: usize, c: char| c.is_alphabetic() || matches!(c, '°' | 'º') || text[at..].starts_with(" 1/");
+    let units = text.char_indices().take(LONGEST).filter(|(at, c)| begins(*at, *c));
+    match units.map(|(at, _)| at).filter(|at| number(*at).parse::<f64>().is_ok()).last() {
         Some(at) => (number(at), Some(text[at..].trim().to_owned())),
         None => (whole, None),
     }
@@ -142,6 +143,17 @@ pub(super) fn number(text: &str) -> Result<(f64, Precision, f64), CheckError> {
     Ok((number, precision, rounding))
 }
 
+/// Millimetres of a unit in which people measure on paper.
+fn on_ruler(unit: &str) -> Option<f64> {
+    let ruler = [LengthUnit::Mm, LengthUnit::Cm, LengthUnit::In].into_iter().find(|own| own.as_str() == unit.trim())?;
+    Some(ruler.metres() / LengthUnit::Mm.metres())
+}
+
+/// Whether a distance of a form in millimetres of paper is one itself: a unit that no ruler has makes it a value.
+pub(super) fn is_by_ruler(given: &Given) -> bool {
+    given.unit.as_ref().is_none_or(|unit| on_ruler(unit).is_some())
+}
+
 /// The factor from a written number to the scene's units, and the factor if the unit beside it were left out. `paper`: the
 /// sheet on which it was measured in millimetres, if it was, with the scale that the form has for it.
 pub(super) fn factors(
@@ -160,19 +172,25 @@ pub(super) fn factors(
         let hint = says::add_scale(mu, kind.unit(units), sheet_told(sheet));
         CheckError::new(says::paper_without_scale(shown(name), mu), hint)
     })?;
-    match &given.unit {
-        // Beside millimetres of paper no unit may stand but mm.
-        Some(unit) if unit.trim() != "mm" => {
-            Err(CheckError::new(says::unit_on_paper(shown(name), shown(unit)), says::unit_or_mu()))
-        }
-        _ => Ok((scale, scale)),
+    match given.unit.as_deref().map(|unit| (unit, on_ruler(unit))) {
+        None => Ok((scale, scale)),
+        Some((_, Some(mm))) => Ok((scale * mm, scale)),
+        Some((unit, None)) => Err(CheckError::new(says::unit_on_paper(shown(name), shown(unit)), says::unit_or_mu())),
     }
 }
 
 /// The factor from the unit `text` to the scene's unit of quantities of this kind.
 fn factor(text: &str, kind: QuantityKind, units: Units) -> Result<f64, CheckError> {
     let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-    let compact = compact.replace("^2", "²").replace("**2", "²");
+    let compact = compact.replace("^2", "²").replace("**2", "²").replace('º', "°");
+    let compact = match compact.as_str() {
+        // As it stands on machines.
+        "min-1" | "min^-1" | "min⁻¹" => "1/min".to_owned(),
+        "s-1" | "s^-1" | "s⁻¹" => "1/s".to_owned(),
+        // No quantity of a form is in seconds to the other power.
+        _ if compact.ends_with("s2") || compact.ends_with("min2") => format!("{}²", &compact[..compact.len() - 1]),
+        _ => compact,
+    };
     let (above, below) = match compact.split_once('/') {
         Some((above, below)) => (above, Some(below)),
         None => (compact.as_str(), None),
@@ -194,17 +212,18 @@ fn factor(text: &str, kind: QuantityKind, units: Units) -> Result<f64, CheckErro
         let time = seconds_of(below?.strip_suffix('²')?)?;
         Some(above * own * own / (time * time))
     };
+    let in_turns = core::f64::consts::TAU * own / 60.0;
     let own_to_rpm = units.time.in_a_minute() / core::f64::consts::TAU;
     let found = match (kind, compact.as_str()) {
         (QuantityKind::Angle, "°" | "deg") => Some(1.0),
         (QuantityKind::Angle, "rad") => Some(1.0_f64.to_degrees()),
         (QuantityKind::Angle, _) => None,
-        (QuantityKind::AngularVelocity, "rpm" | "r.p.m.") => Some(core::f64::consts::TAU * own / 60.0),
+        (QuantityKind::AngularVelocity, "rpm" | "r.p.m." | "r/min" | "U/min") => Some(in_turns),
+        // In a scene that counts in minutes it is the unit of the scene.
+        (QuantityKind::AngularVelocity, "1/min") if units.time != TimeUnit::Min => Some(in_turns),
         (QuantityKind::AngularVelocity, _) => turn().and_then(per_time),
         (QuantityKind::AngularAcceleration, _) => turn().and_then(per_time_squared),
-        (QuantityKind::RotationalSpeed, "rpm" | "r.p.m." | "r/min" | "rev/min" | "U/min" | "1/min" | "min-1") => {
-            Some(1.0)
-        }
+        (QuantityKind::RotationalSpeed, "rpm" | "r.p.m." | "r/min" | "rev/min" | "U/min" | "1/min") => Some(1.0),
         (QuantityKind::RotationalSpeed, _) => turn().and_then(per_time).map(|per_own| per_own * own_to_rpm),
         (QuantityKind::SpeedRatio, own) => (own == "1").then_some(1.0),
         (QuantityKind::Length | QuantityKind::Position, _) => length().filter(|_| below.is_none()),

@@ -8,7 +8,7 @@ use super::layout::{Item, Layout};
 use super::plan::on_paper::extent;
 use super::sheet::Drawing;
 use super::text::{CAPTION, RichText};
-use crate::construction::{Plan, Rate, Solution};
+use crate::construction::{Plan, PointRole, Rate, Solution, VectorOf, VectorPart, image_name};
 use crate::quantity::{Corners, QuantityRequest, What};
 use crate::scene::{ConstructionShown, Page, PageSize};
 use crate::sheet::{Order, Sheet};
@@ -34,6 +34,13 @@ impl<'a> SheetLabels<'a> {
     #[must_use]
     pub fn quantity(&self, asked: &QuantityRequest) -> RichText {
         RichText::math(&self.0.quantity(asked))
+    }
+
+    /// The velocity or acceleration, or its part, that a segment of a plan is: `v_B` from the pole to `b`, `v_CB` from `b` to `c`, `aᵗ_CB` from the
+    /// end of a normal part to `c`. `None` for other quantities, and for segments that are none of these.
+    #[must_use]
+    pub fn vector(&self, asked: &QuantityRequest) -> Option<RichText> {
+        self.0.vector(asked).as_deref().map(RichText::math)
     }
 
     /// Which sense is positive, and what the auxiliary points are that the quantities name.
@@ -72,6 +79,52 @@ impl SheetContext<'_> {
             What::Corners(Corners { ends: [from, to], .. }) if asked.written.component.is_none() => between(from, to),
             What::Length(from, to) if asked.sheet() == Sheet::Scheme => between(from.name(), to.name()),
             _ => asked.symbol(self.mechanism(), &self.words.notation, &|name| self.shown(name, None)),
+        }
+    }
+
+    /// The markup of the vector that a segment of a plan is.
+    fn vector(&self, asked: &QuantityRequest) -> Option<String> {
+        let What::Segment(order, [from, to]) = &asked.what else { return None };
+        if asked.written.component.is_some() {
+            return None;
+        }
+        let construction = self.construction();
+        let plan = construction.plan(*order)?;
+        let role = |name: &str| plan.points.get(name).map(|point| point.role);
+        // The point whose image it is; that of a link, as `b3`, is written as the sheets of textbooks have it.
+        let point = |image: &str| match role(image)? {
+            PointRole::Normal => None,
+            _ if image.contains('_') => None,
+            _ => {
+                let known = self.mechanism().points.iter().find(|point| image_name(point) == image);
+                let mut letters = image.chars();
+                let upper = || letters.next().map(|first| first.to_uppercase().chain(letters).collect::<String>());
+                known.map(|point| self.shown(point, None)).or_else(upper)
+            }
+        };
+        let (letter, notation) = (order.vector(), &self.words.notation);
+        // The normal part that ends there: between which points.
+        let normal = |end: &str| {
+            let arrow = construction.arrows(*order).find(|arrow| arrow.to == end)?;
+            let towards = match &arrow.of {
+                VectorOf::Relative { to, part: VectorPart::Normal, .. } => to,
+                VectorOf::Normal(special, _) => &construction.special(*special).name,
+                _ => return None,
+            };
+            Some((arrow.from.clone(), image_name(towards), format!("_{{{towards}{}}}", point(&arrow.from)?)))
+        };
+        match (point(from), point(to)) {
+            (_, Some(to)) if role(from) == Some(PointRole::Pole) => Some(format!("{letter}_{{{to}}}")),
+            (Some(from), Some(to)) => Some(format!("{letter}_{{{to}{from}}}")),
+            (Some(_), None) => {
+                let (start, _, pair) = normal(to)?;
+                (start == *from).then(|| format!("{letter}^{}{pair}", notation.normal))
+            }
+            (None, Some(_)) => {
+                let (_, end, pair) = normal(from)?;
+                (end == *to).then(|| format!("{letter}^{}{pair}", notation.tangential))
+            }
+            (None, None) => None,
         }
     }
 

@@ -565,6 +565,10 @@ revolutions_for_radians-done = {$rate} wurde nicht zwischen Umdrehungen je Minut
 revolutions_for_radians-should = rad/s = rpm · π/30
 rate_in_other_unit-done = {$rate}: gegeben war {$number} {$given}; gerechnet wurde mit {$number} {$taken}
 rate_in_other_unit-should = mit {$number} {$given} weiterrechnen
+value_for_paper-done = {$quantity}: {$number} ist der Wert in {$unit}; gefragt sind Millimeter auf dem Papier
+value_for_paper-should = {$number} : {$scale} = {$mm} mm auf dem Papier
+values_for_paper-done = {$segments}: eingetragen sind Werte in {$unit}; gefragt sind Millimeter auf dem Papier
+values_for_paper-should = ein Wert durch {$scale} ist seine Länge auf dem Papier in Millimetern
 revolutions_per_second-done = {$rate} wurde nicht zwischen Umdrehungen je Sekunde und Radiant je Sekunde umgerechnet
 revolutions_per_second-should = rad/s = rev/s · 2π
 degrees_for_radians-done = {$rate} wurde nicht zwischen Grad und Radiant umgerechnet
@@ -2267,9 +2271,6 @@ page-exercise-link = Link für Studierende
 page-exercise-allow_steps = Mit den Schritten der Konstruktion, in Worten
 page-exercise-allow_more = Mit den nächsten Aufgaben dieses Startwerts
 page-exercise-link_hint = Er hat das Blatt zum Drucken, das Formular, das Foto und dessen Prüfung, auch auf einem Telefon. Er öffnet den Mechanismus ohne seine Pläne, mit dem Formular daneben. Wer will, kann die Lösung trotzdem aus der Szene ermitteln: Für eine Note sammeln Sie die Formulare ein.
-page-exercise-copied = Der Link ist kopiert.
-page-exercise-not_copied = Hier ist der Link; kopieren Sie ihn.
-page-exercise-link_address = Adresse
 page-exercise-sheet = Blatt
 page-exercise-form = Formular
 page-exercise-scene = Szene
@@ -2333,7 +2334,8 @@ page-modes-list = Einbaulagen
 ## The workbench: parts
 
 page-parts-needed = Hier wird eine Zahl gebraucht.
-page-parts-unread = Keine Zahl. Tippen Sie 60 oder 2,5 oder 1/3 oder 2*pi.
+page-parts-unread = Keine Zahl. Tippen Sie 60, 2,5, 1/3, 2*pi oder sqrt(2), gern mit einer Einheit: 15 cm.
+page-parts-other_unit = {$unit} lässt sich nicht in {$own} umrechnen.
 page-parts-least = Mindestens {$least}.
 page-parts-nameless = Ein Name wird gebraucht.
 page-parts-pin_point = {$name} beim Formen festhalten
@@ -2376,11 +2378,6 @@ page-save-scene_file = Szenendatei
 page-save-page_file = Diese Seite mit der Szene
 page-save-page_about = Die Seite wurde nicht vollständig geladen und lässt sich nicht sichern. Laden Sie sie neu.
 page-save-copy_link = Link kopieren
-page-save-link_of = Link mit der Szene darin, {$size} Zeichen
-page-save-link_copied = Der Link ist in der Zwischenablage: {$size} Zeichen.
-page-save-link_not_copied = Dieser Browser lässt die Seite nicht in die Zwischenablage schreiben. Der Link ist markiert: Kopieren Sie ihn mit Strg+C.
-page-save-link_long = Mit {$size} Zeichen ist dieser Link für manche Mailprogramme und Chats zu lang. Die Szenendatei oder die Seite als eine Datei ist sicherer.
-page-save-link_local = Diese Seite wurde aus einer Datei dieses Rechners geöffnet: Ihre Links gelten nur hier. Öffnen Sie sie von einer Webseite, um Links weiterzugeben, oder geben Sie die Seite als eine Datei weiter.
 page-save-print = Drucken mit 100 %
 page-save-print_now = Drucken …
 page-save-size = {$name} {$width} mm × {$height} mm
@@ -2389,6 +2386,15 @@ page-save-preview = Das Blatt, wie es gedruckt wird
 page-save-to_scale = Wählen Sie im Druckfenster 100 % (tatsächliche Größe), dieses Papier und keine Ränder.
 page-save-ruler = Das Arbeitsblatt hat ein Lineal. Misst es im Ausdruck 50 mm, ist alles maßstäblich.
 page-save-saved = Gesichert: {$name}
+
+
+## The workbench: links
+
+page-link-of = Link mit der Szene darin, {$size} Zeichen
+page-link-copied = Der Link ist in der Zwischenablage: {$size} Zeichen.
+page-link-not_copied = Dieser Browser lässt die Seite nicht in die Zwischenablage schreiben. Der Link ist markiert: Kopieren Sie ihn mit Strg+C.
+page-link-long = Mit {$size} Zeichen ist dieser Link für manche Mailprogramme und Chats zu lang. Die Szenendatei oder die Seite als eine Datei ist sicherer.
+page-link-local = Diese Seite wurde aus einer Datei dieses Rechners geöffnet: Ihre Links gelten nur hier. Öffnen Sie sie von einer Webseite, um Links weiterzugeben, oder geben Sie die Seite als eine Datei weiter.
 
 
 ## The workbench: check
@@ -2434,6 +2440,7 @@ page-check-unknown = Nicht verstanden
 page-check-remove = {$name} entfernen
 page-check-unit_of = Einheit von {$name}
 page-check-on_paper = mm Papier
+page-check-is_on_paper = = {$value} mm auf dem Papier
 page-check-sense_of = Richtungssinn von {$name}
 page-check-ccw = gegen Uhrzeigersinn
 page-check-cw = im Uhrzeigersinn
@@ -2595,6 +2602,7 @@ page-board-opened = „{$name}“ liegt auf dem Zeichenbrett.
 page-board-put_back = Vorherige zurückholen
 page-board-replay = Abspielen
 page-board-end_replay = Zurück zum Zeichnen
+page-board-look_on = Abspielen zeichnet Schritt für Schritt; der Schieber geht zu jedem davon.
 page-board-play = Abspielen
 page-board-pause = Pause
 page-board-speed = Tempo
@@ -2603,10 +2611,16 @@ page-board-own_drawing = Zurück zur eigenen Zeichnung
 page-board-first_wrong = Zuerst falsch: Schritt {$number}
 page-board-all_right = Alles ist da, und alles ist richtig.
 page-board-right_so_far = Bis hierher richtig.
+page-board-all_there = Alles Gefragte ist da.
+page-board-leads_nowhere = { $count ->
+    [one] Schritt {$numbers} führt noch zu keinem Punkt des Plans.
+   *[other] Die Schritte {$numbers} führen noch zu keinem Punkt des Plans.
+  }
+page-board-others_right = Alle anderen sind richtig.
 page-board-is_right = richtig
 page-board-is_wrong = falsch
 page-board-is_follows = folgt aus einem falschen
-page-board-is_unused = nicht benutzt
+page-board-is_unused = führt noch nirgendwohin
 page-board-is_undone = zurückgenommen
 page-board-normal = senkrecht zu
 page-board-parallel = parallel zu

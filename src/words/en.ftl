@@ -594,6 +594,10 @@ revolutions_for_radians-done = {$rate} was not converted between revolutions per
 revolutions_for_radians-should = rad/s = rpm · π/30
 rate_in_other_unit-done = {$rate}: {$number} {$given} was given; it was taken as {$number} {$taken}
 rate_in_other_unit-should = go on with {$number} {$given}
+value_for_paper-done = {$quantity}: {$number} is the value in {$unit}; the box asks for millimetres of paper
+value_for_paper-should = {$number} : {$scale} = {$mm} mm on paper
+values_for_paper-done = {$segments}: values in {$unit} are written; the boxes ask for millimetres of paper
+values_for_paper-should = a value divided by {$scale} is its length on paper in millimetres
 revolutions_per_second-done = {$rate} was not converted between revolutions per second and radians per second
 revolutions_per_second-should = rad/s = rev/s · 2π
 degrees_for_radians-done = {$rate} was not converted between degrees and radians
@@ -2300,9 +2304,6 @@ page-exercise-link = Link for students
 page-exercise-allow_steps = With the steps of the construction, in words
 page-exercise-allow_more = With the next exercises of this seed
 page-exercise-link_hint = It has the sheet to print, the form, the photograph and its check, also on a telephone. It opens the mechanism without its plans, with the form beside it. Whoever wants to can still work the answers out of the scene: for marks, collect the forms.
-page-exercise-copied = The link is copied.
-page-exercise-not_copied = Here is the link; copy it.
-page-exercise-link_address = Address
 page-exercise-sheet = Sheet
 page-exercise-form = Form
 page-exercise-scene = Scene
@@ -2366,7 +2367,8 @@ page-modes-list = Assembly modes
 ## The workbench: parts
 
 page-parts-needed = A number is needed here.
-page-parts-unread = Not a number. Type 60, 2.5, 1/3 or 2*pi.
+page-parts-unread = Not a number. Type 60, 2.5, 1/3, 2*pi or sqrt(2), with a unit if you like: 15 cm.
+page-parts-other_unit = {$unit} cannot be converted to {$own}.
 page-parts-least = At least {$least}.
 page-parts-nameless = A name is needed.
 page-parts-pin_point = Hold {$name} while shaping
@@ -2409,11 +2411,6 @@ page-save-scene_file = Scene file
 page-save-page_file = This page with the scene
 page-save-page_about = The page was not loaded whole, so it cannot be saved. Reload it.
 page-save-copy_link = Copy the link
-page-save-link_of = Link with the scene in it, {$size} characters
-page-save-link_copied = The link is on the clipboard: {$size} characters.
-page-save-link_not_copied = This browser does not let the page use the clipboard. The link is selected: copy it with Ctrl+C.
-page-save-link_long = At {$size} characters this link is too long for some mail programs and chats. The scene file or the page as one file is safer.
-page-save-link_local = This page was opened from a file of this computer: its links work only here. Open it from a web page to share links, or share the page as one file.
 page-save-print = Print at 100 %
 page-save-print_now = Print …
 page-save-size = {$name} {$width} mm × {$height} mm
@@ -2422,6 +2419,15 @@ page-save-preview = The sheet as it is printed
 page-save-to_scale = In the print dialogue choose 100 % (actual size), this paper, and no margins.
 page-save-ruler = The work sheet has a ruler. If it measures 50 mm on the print, everything is true to scale.
 page-save-saved = Saved: {$name}
+
+
+## The workbench: links
+
+page-link-of = Link with the scene in it, {$size} characters
+page-link-copied = The link is on the clipboard: {$size} characters.
+page-link-not_copied = This browser does not let the page use the clipboard. The link is selected: copy it with Ctrl+C.
+page-link-long = At {$size} characters this link is too long for some mail programs and chats. The scene file or the page as one file is safer.
+page-link-local = This page was opened from a file of this computer: its links work only here. Open it from a web page to share links, or share the page as one file.
 
 
 ## The workbench: check
@@ -2467,6 +2473,7 @@ page-check-unknown = Not understood
 page-check-remove = Remove {$name}
 page-check-unit_of = Unit of {$name}
 page-check-on_paper = mm of paper
+page-check-is_on_paper = = {$value} mm on paper
 page-check-sense_of = Sense of {$name}
 page-check-ccw = counter-clockwise
 page-check-cw = clockwise
@@ -2628,6 +2635,7 @@ page-board-opened = “{$name}” is on the board.
 page-board-put_back = Put the one before back
 page-board-replay = Replay
 page-board-end_replay = Back to drawing
+page-board-look_on = Play draws it operation by operation; the slider goes to any of them.
 page-board-play = Play
 page-board-pause = Pause
 page-board-speed = Speed
@@ -2636,10 +2644,16 @@ page-board-own_drawing = Back to the own drawing
 page-board-first_wrong = First wrong: operation {$number}
 page-board-all_right = All is there, and all is right.
 page-board-right_so_far = Right so far.
+page-board-all_there = All that is asked for is there.
+page-board-leads_nowhere = { $count ->
+    [one] Operation {$numbers} leads to no point of the plan yet.
+   *[other] Operations {$numbers} lead to no point of the plan yet.
+  }
+page-board-others_right = All others are right.
 page-board-is_right = right
 page-board-is_wrong = wrong
 page-board-is_follows = follows from a wrong one
-page-board-is_unused = not used
+page-board-is_unused = leads nowhere yet
 page-board-is_undone = taken back
 page-board-normal = at right angles to
 page-board-parallel = parallel to

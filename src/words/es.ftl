@@ -563,6 +563,10 @@ revolutions_for_radians-done = {$rate} no se convirtió entre revoluciones por m
 revolutions_for_radians-should = rad/s = rpm · π/30
 rate_in_other_unit-done = {$rate}: el dato es {$number} {$given}; se tomó como {$number} {$taken}
 rate_in_other_unit-should = seguir con {$number} {$given}
+value_for_paper-done = {$quantity}: {$number} es el valor en {$unit}; se piden milímetros de papel
+value_for_paper-should = {$number} : {$scale} = {$mm} mm en el papel
+values_for_paper-done = {$segments}: se escribieron valores en {$unit}; se piden milímetros de papel
+values_for_paper-should = un valor dividido por {$scale} es su longitud en el papel en milímetros
 revolutions_per_second-done = {$rate} no se convirtió entre revoluciones por segundo y radianes por segundo
 revolutions_per_second-should = rad/s = rev/s · 2π
 degrees_for_radians-done = {$rate} no se convirtió entre grados y radianes
@@ -2265,9 +2269,6 @@ page-exercise-link = Enlace para estudiantes
 page-exercise-allow_steps = Con los pasos de la construcción, en palabras
 page-exercise-allow_more = Con los ejercicios siguientes de esta semilla
 page-exercise-link_hint = Tiene la lámina para imprimir, el formulario, la fotografía y su comprobación, también en un teléfono. Abre el mecanismo sin sus planos, con el formulario al lado. Quien quiera puede sacar las respuestas de la escena: para poner nota, recoge los formularios.
-page-exercise-copied = El enlace está copiado.
-page-exercise-not_copied = Este es el enlace; cópialo.
-page-exercise-link_address = Dirección
 page-exercise-sheet = Lámina
 page-exercise-form = Formulario
 page-exercise-scene = Escena
@@ -2331,7 +2332,8 @@ page-modes-list = Modos de montaje
 ## The workbench: parts
 
 page-parts-needed = Aquí hace falta un número.
-page-parts-unread = No es un número. Escriba 60, 2,5, 1/3 o 2*pi.
+page-parts-unread = No es un número. Escriba 60, 2,5, 1/3, 2*pi o sqrt(2), si quiere con unidad: 15 cm.
+page-parts-other_unit = {$unit} no se puede convertir a {$own}.
 page-parts-least = Al menos {$least}.
 page-parts-nameless = Hace falta un nombre.
 page-parts-pin_point = Sujetar {$name} al dar forma
@@ -2374,11 +2376,6 @@ page-save-scene_file = Archivo de escena
 page-save-page_file = Esta página con la escena
 page-save-page_about = La página no se cargó entera y no puede guardarse. Vuelva a cargarla.
 page-save-copy_link = Copiar el enlace
-page-save-link_of = Enlace con la escena dentro, {$size} caracteres
-page-save-link_copied = El enlace está en el portapapeles: {$size} caracteres.
-page-save-link_not_copied = Este navegador no deja que la página use el portapapeles. El enlace está seleccionado: cópielo con Ctrl+C.
-page-save-link_long = Con {$size} caracteres este enlace es demasiado largo para algunos programas de correo y chats. El archivo de escena o la página en un solo archivo son más seguros.
-page-save-link_local = Esta página se abrió desde un archivo de este ordenador: sus enlaces solo valen aquí. Ábrala desde la web para compartir enlaces, o comparta la página en un solo archivo.
 page-save-print = Imprimir al 100 %
 page-save-print_now = Imprimir …
 page-save-size = {$name} {$width} mm × {$height} mm
@@ -2387,6 +2384,15 @@ page-save-preview = La hoja tal como se imprime
 page-save-to_scale = En el diálogo de impresión elija 100 % (tamaño real), este papel y ningún margen.
 page-save-ruler = La hoja de trabajo tiene una regla. Si mide 50 mm en el papel, todo está a escala.
 page-save-saved = Guardado: {$name}
+
+
+## The workbench: links
+
+page-link-of = Enlace con la escena dentro, {$size} caracteres
+page-link-copied = El enlace está en el portapapeles: {$size} caracteres.
+page-link-not_copied = Este navegador no deja que la página use el portapapeles. El enlace está seleccionado: cópielo con Ctrl+C.
+page-link-long = Con {$size} caracteres este enlace es demasiado largo para algunos programas de correo y chats. El archivo de escena o la página en un solo archivo son más seguros.
+page-link-local = Esta página se abrió desde un archivo de este ordenador: sus enlaces solo valen aquí. Ábrala desde la web para compartir enlaces, o comparta la página en un solo archivo.
 
 
 ## The workbench: check
@@ -2432,6 +2438,7 @@ page-check-unknown = No se entiende
 page-check-remove = Quitar {$name}
 page-check-unit_of = Unidad de {$name}
 page-check-on_paper = mm de papel
+page-check-is_on_paper = = {$value} mm en el papel
 page-check-sense_of = Sentido de {$name}
 page-check-ccw = antihorario
 page-check-cw = horario
@@ -2593,6 +2600,7 @@ page-board-opened = «{$name}» está en el tablero.
 page-board-put_back = Volver al anterior
 page-board-replay = Reproducir
 page-board-end_replay = Volver a dibujar
+page-board-look_on = Reproducir lo dibuja operación por operación; el deslizador va a cualquiera de ellas.
 page-board-play = Reproducir
 page-board-pause = Pausa
 page-board-speed = Velocidad de reproducción
@@ -2601,10 +2609,16 @@ page-board-own_drawing = Volver al dibujo propio
 page-board-first_wrong = Primera equivocada: la operación {$number}
 page-board-all_right = Está todo, y todo es correcto.
 page-board-right_so_far = Hasta aquí, correcto.
+page-board-all_there = Está todo lo que se pide.
+page-board-leads_nowhere = { $count ->
+    [one] La operación {$numbers} no lleva todavía a ningún punto del plano.
+   *[other] Las operaciones {$numbers} no llevan todavía a ningún punto del plano.
+  }
+page-board-others_right = Todas las demás son correctas.
 page-board-is_right = correcta
 page-board-is_wrong = equivocada
 page-board-is_follows = se sigue de una equivocada
-page-board-is_unused = no se usa
+page-board-is_unused = no lleva a nada todavía
 page-board-is_undone = deshecha
 page-board-normal = perpendicular a
 page-board-parallel = paralela a

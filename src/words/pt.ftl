@@ -565,6 +565,10 @@ revolutions_for_radians-done = {$rate} não foi convertido entre rotações por 
 revolutions_for_radians-should = rad/s = rpm · π/30
 rate_in_other_unit-done = {$rate}: o dado é {$number} {$given}; foi tomado como {$number} {$taken}
 rate_in_other_unit-should = continuar com {$number} {$given}
+value_for_paper-done = {$quantity}: {$number} é o valor em {$unit}; pedem-se milímetros de papel
+value_for_paper-should = {$number} : {$scale} = {$mm} mm no papel
+values_for_paper-done = {$segments}: foram escritos valores em {$unit}; pedem-se milímetros de papel
+values_for_paper-should = um valor dividido por {$scale} é seu comprimento no papel em milímetros
 revolutions_per_second-done = {$rate} não foi convertido entre rotações por segundo e radianos por segundo
 revolutions_per_second-should = rad/s = rev/s · 2π
 degrees_for_radians-done = {$rate} não foi convertido entre graus e radianos
@@ -2267,9 +2271,6 @@ page-exercise-link = Link para estudantes
 page-exercise-allow_steps = Com os passos da construção, em palavras
 page-exercise-allow_more = Com os próximos exercícios desta semente
 page-exercise-link_hint = Ele tem a folha para imprimir, o formulário, a fotografia e sua conferência, também em um telefone. Abre o mecanismo sem os seus polígonos, com o formulário ao lado. Quem quiser ainda pode tirar as respostas da cena: para dar nota, recolha os formulários.
-page-exercise-copied = O link está copiado.
-page-exercise-not_copied = Aqui está o link; copie-o.
-page-exercise-link_address = Endereço
 page-exercise-sheet = Folha
 page-exercise-form = Formulário
 page-exercise-scene = Cena
@@ -2333,7 +2334,8 @@ page-modes-list = Modos de montagem
 ## The workbench: parts
 
 page-parts-needed = Aqui é preciso um número.
-page-parts-unread = Não é um número. Escreva 60, 2,5, 1/3 ou 2*pi.
+page-parts-unread = Não é um número. Escreva 60, 2,5, 1/3, 2*pi ou sqrt(2), se quiser com unidade: 15 cm.
+page-parts-other_unit = {$unit} não pode ser convertida para {$own}.
 page-parts-least = Pelo menos {$least}.
 page-parts-nameless = É preciso um nome.
 page-parts-pin_point = Fixar {$name} ao moldar
@@ -2376,11 +2378,6 @@ page-save-scene_file = Arquivo de cena
 page-save-page_file = Esta página com a cena
 page-save-page_about = A página não foi carregada inteira e por isso não pode ser salva. Recarregue-a.
 page-save-copy_link = Copiar o link
-page-save-link_of = Link com a cena dentro, {$size} caracteres
-page-save-link_copied = O link está na área de transferência: {$size} caracteres.
-page-save-link_not_copied = Este navegador não deixa a página usar a área de transferência. O link está selecionado: copie-o com Ctrl+C.
-page-save-link_long = Com {$size} caracteres este link é longo demais para alguns programas de e-mail e chats. O arquivo de cena ou a página em um só arquivo são mais seguros.
-page-save-link_local = Esta página foi aberta de um arquivo deste computador: seus links só funcionam aqui. Abra-a na web para compartilhar links, ou compartilhe a página em um só arquivo.
 page-save-print = Imprimir a 100 %
 page-save-print_now = Imprimir…
 page-save-size = {$name} {$width} mm × {$height} mm
@@ -2389,6 +2386,15 @@ page-save-preview = A folha como é impressa
 page-save-to_scale = Na janela de impressão escolha 100 % (tamanho real), este papel e nenhuma margem.
 page-save-ruler = A folha de trabalho tem uma régua. Se ela mede 50 mm na impressão, tudo está em escala.
 page-save-saved = Salvo: {$name}
+
+
+## The workbench: links
+
+page-link-of = Link com a cena dentro, {$size} caracteres
+page-link-copied = O link está na área de transferência: {$size} caracteres.
+page-link-not_copied = Este navegador não deixa a página usar a área de transferência. O link está selecionado: copie-o com Ctrl+C.
+page-link-long = Com {$size} caracteres este link é longo demais para alguns programas de e-mail e chats. O arquivo de cena ou a página em um só arquivo são mais seguros.
+page-link-local = Esta página foi aberta de um arquivo deste computador: seus links só funcionam aqui. Abra-a na web para compartilhar links, ou compartilhe a página em um só arquivo.
 
 
 ## The workbench: check
@@ -2434,6 +2440,7 @@ page-check-unknown = Não entendido
 page-check-remove = Remover {$name}
 page-check-unit_of = Unidade de {$name}
 page-check-on_paper = mm de papel
+page-check-is_on_paper = = {$value} mm no papel
 page-check-sense_of = Sentido de {$name}
 page-check-ccw = anti-horário
 page-check-cw = horário
@@ -2595,6 +2602,7 @@ page-board-opened = “{$name}” está na prancheta.
 page-board-put_back = Voltar ao anterior
 page-board-replay = Reproduzir
 page-board-end_replay = Voltar a desenhar
+page-board-look_on = Reproduzir desenha operação por operação; o controle deslizante vai a qualquer uma delas.
 page-board-play = Reproduzir
 page-board-pause = Pausa
 page-board-speed = Ritmo
@@ -2603,10 +2611,16 @@ page-board-own_drawing = Voltar ao próprio desenho
 page-board-first_wrong = Primeira errada: a operação {$number}
 page-board-all_right = Está tudo lá, e tudo certo.
 page-board-right_so_far = Certo até aqui.
+page-board-all_there = Está tudo o que se pede.
+page-board-leads_nowhere = { $count ->
+    [one] A operação {$numbers} ainda não leva a nenhum ponto do polígono.
+   *[other] As operações {$numbers} ainda não levam a nenhum ponto do polígono.
+  }
+page-board-others_right = Todas as outras estão certas.
 page-board-is_right = certa
 page-board-is_wrong = errada
 page-board-is_follows = decorre de uma errada
-page-board-is_unused = não usada
+page-board-is_unused = ainda não leva a nada
 page-board-is_undone = desfeita
 page-board-normal = perpendicular a
 page-board-parallel = paralela a

@@ -1,7 +1,9 @@
 //! Drawings made on the board, judged operation by operation: Kinegon's own construction of every scene is right, so are equivalent ways, the first wrong
 //! operation is the one that was put in, every prefix replays, and no file ends in a panic.
 
-use kinegon::board::{Formula, Given, HandDrawing, Judge, JudgedDrawing, MOST_ENTRIES, Screen, Verdict, own_drawing};
+use kinegon::board::{
+    Entry, Formula, Given, HandDrawing, Judge, JudgedDrawing, MOST_ENTRIES, Screen, Verdict, own_drawing,
+};
 use kinegon::check::AnswerKey;
 use kinegon::construction::Tolerance;
 use serde_json::{Value, json};
@@ -93,6 +95,40 @@ fn ways_that_lead_to_the_same_are_right() {
     let found = judged(&judge, &Value::Array(did));
     assert_eq!(found.first_wrong(), None, "{:?}", found.verdicts);
     assert_eq!([&found.verdicts[2], &found.verdicts[4]], [&Verdict::Undone, &Verdict::Unused]);
+}
+
+/// A line that is not crossed yet is right where it leads to a point that is still to be found, and else leads nowhere.
+#[test]
+fn a_line_that_is_not_used_yet_is_right_where_it_leads_on() {
+    for name in ["templates/four-bar.json", "templates/whitworth.json", "examples/figure-2.json"] {
+        let text = read(name);
+        let solution = solved(&text).expect("a sound scene");
+        let judge = judge(&text);
+        let whole = HandDrawing::read(&own_drawing(&Given::new(&solution), &solution.scales())).expect("a drawing");
+        let lines = whole.did.iter().enumerate().filter(|(_, entry)| matches!(entry, Entry::Line(_)));
+        for (index, entry) in lines {
+            let mut prefix = whole.clone();
+            prefix.did.truncate(index + 1);
+            let found = judge.judge(&prefix).unwrap_or_else(|error| panic!("{name}, {index}: {error}"));
+            assert_eq!(found.verdicts[index], Verdict::Right, "{name}: {entry:?}");
+        }
+    }
+    let judge = judge(&read(FOUR_BAR));
+    let lines = [
+        // v_CB is at right angles to BC, v_C to CD.
+        (json!({ "line": "r1", "on": "velocity", "through": "b", "along": { "normal": "2" } }), Verdict::Right),
+        (json!({ "line": "r1", "on": "velocity", "through": "b", "along": { "parallel": "2" } }), Verdict::Unused),
+        (json!({ "line": "r2", "on": "velocity", "through": "p", "along": { "parallel": "3" } }), Verdict::Unused),
+        (json!({ "line": "r2", "on": "velocity", "through": "b", "along": { "normal": "3" } }), Verdict::Unused),
+        // It leads back to p, which is there.
+        (json!({ "line": "r1", "on": "velocity", "through": "b", "along": { "normal": "1" } }), Verdict::Unused),
+    ];
+    for (line, verdict) in lines {
+        let mut did = velocity_plan();
+        did.truncate(2);
+        did.push(line.clone());
+        assert_eq!(judged(&judge, &Value::Array(did)).verdicts[2], verdict, "{line}");
+    }
 }
 
 #[test]

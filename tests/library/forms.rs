@@ -1,7 +1,7 @@
 //! Forms as a page shows and writes them.
 
 use kinegon::Sheet;
-use kinegon::check::{Measured, check, faults, form_boxes, further_boxes, report_parts, sheet_points};
+use kinegon::check::{Measured, check, check_result, faults, form_boxes, further_boxes, report_parts, sheet_points};
 use serde_json::Value;
 use support::files;
 use support::stages::{answer_key, solved};
@@ -120,4 +120,115 @@ fn a_unit_may_stand_behind_its_digits() {
     let began = std::time::Instant::now();
     assert_eq!(faults(&Measured::read_json(&long).expect("a form"), &key).len(), 1);
     assert!(began.elapsed().as_secs_f64() < 2.0, "{:?}", began.elapsed());
+}
+
+/// A form of the four-bar linkage in millimetres of paper, 2 mm/s each, with a value of a plan's segment and one of a rate.
+fn on_paper(segment: &str, rate: &str) -> Measured {
+    let form = format!(
+        r#"{{ "kinegon_measured": 1, "mu_v": 2, "mu_l": 1, "in": "mm", "values": {{ "vplan(p,b)": "{segment}", "omega(2)": "{rate}" }} }}"#
+    );
+    Measured::read_json(&form).expect("a form")
+}
+
+#[test]
+fn a_unit_says_whether_a_segment_is_on_paper() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a starting scene is sound");
+    let key = answer_key(&solution, 2);
+    let cells = [
+        ("162.5", true),
+        ("162,5 mm", true),
+        ("16.25 cm", true),
+        ("6.3976378 in", true),
+        ("325 mm/s", false),
+        ("32.5cm/s", false),
+        ("0,325 m/s", false),
+    ];
+    for (cell, is_on_paper) in cells {
+        let entries = kinegon::check::entries(&on_paper(cell, "1"), &key).expect("values that are understood");
+        let found = entries.iter().find(|entry| entry.asked.name() == "vplan(p,b)").expect("its value");
+        assert_eq!(found.on_paper, is_on_paper, "{cell}");
+        assert!((found.value - 325.0).abs() < 1e-5, "{cell}: {}", found.value);
+    }
+    // A revolution is 2π, a minute 60 s.
+    let rate = -32.2_f64.to_radians();
+    let cells = [
+        "-32.2 °/s",
+        "-32.2 º/s",
+        "−32,2 deg/s",
+        "-5.366667 rpm",
+        "-5.366667 1/min",
+        "-5.366667 min-1",
+        "-5.366667 U/min",
+        "-0.08944444 rev/s",
+    ];
+    for cell in cells {
+        let entries = kinegon::check::entries(&on_paper("300", cell), &key).expect("values that are understood");
+        let found = entries.iter().find(|entry| entry.asked.name() == "omega(2)").expect("its value");
+        assert!((found.value - rate).abs() < 1e-6, "{cell}: {}", found.value);
+    }
+    for cell in ["0.1625 m", "3 kg", "3 rad/s"] {
+        assert_eq!(faults(&on_paper(cell, "1"), &key).len(), 1, "{cell}");
+    }
+}
+
+/// Values written where millimetres of paper are asked for, and rates in degrees, are told as that.
+#[test]
+fn values_for_millimetres_and_degrees_for_radians_are_told() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a starting scene is sound");
+    let key = answer_key(&solution, 2);
+    let written = |sheet: &str, text: &dyn Fn(f64) -> Option<String>| {
+        let boxes = form_boxes(&solution).into_iter();
+        let values = boxes.map(|found| {
+            let value = found.asked.value(&solution.snapshot(), Some(&solution.construction), None);
+            let value = value.expect("a value").as_number();
+            let own = if found.asked.is_distance() {
+                let scale = if found.asked.kind().unit(solution.scene.units) == "mm/s" { 2.0 } else { 20.0 };
+                format!("{:.1}", value.abs() / scale)
+            } else {
+                format!("{value:+.4}")
+            };
+            let other = if found.name.starts_with(sheet) { text(value) } else { None };
+            format!("{:?}: {:?}", found.name, other.unwrap_or(own))
+        });
+        let values = values.collect::<Vec<String>>().join(", ");
+        let form =
+            format!(r#"{{ "kinegon_measured": 1, "mu_v": 2, "mu_a": 20, "in": "mm", "values": {{ {values} }} }}"#);
+        let measured = Measured::read_json(&form).expect("a form");
+        let checked = check(&measured, &key).expect("values that are understood");
+        serde_json::to_value(check_result(&checked, &key, None)).expect("JSON")["diagnosis"]["mistakes"].clone()
+    };
+    assert_eq!(written("", &|_| None), serde_json::json!([]));
+    let told = written("vplan(p,b)", &|value| Some(format!("{value:.0}")));
+    assert_eq!((&told[0]["mistake"], &told[1]), (&"other-unit".into(), &Value::Null), "{told}");
+    assert_eq!(told[0]["done"], "p b: 600 is the value in mm/s; the box asks for millimetres of paper");
+    assert_eq!(told[0]["should_be"], "600 : 2 = 300 mm on paper");
+    for (sheet, unit, scale) in [("vplan", "mm/s", "2"), ("aplan", "mm/s²", "20")] {
+        let told = written(sheet, &|value| Some(format!("{:.0}", value.abs())));
+        assert_eq!((&told[0]["mistake"], &told[1]), (&"other-unit".into(), &Value::Null), "{told}");
+        let done = told[0]["done"].as_str().expect("a sentence");
+        assert!(done.contains(&format!("values in {unit} are written")), "{done}");
+        assert!(
+            told[0]["should_be"].as_str().is_some_and(|should| should.contains(&format!("by {scale} is"))),
+            "{told}"
+        );
+    }
+    let told = written("omega(2)", &|value| Some(format!("{:+.1}", value.to_degrees())));
+    assert_eq!((&told[0]["mistake"], &told[1]), (&"degrees-for-radians".into(), &Value::Null), "{told}");
+}
+
+/// What the segments of the plans are, as textbooks write it.
+#[test]
+fn a_segment_is_the_vector_between_its_points() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a starting scene is sound");
+    let labels = kinegon::drawing::SheetLabels::of(&solution);
+    let told = form_boxes(&solution).into_iter().filter_map(|found| {
+        let vector = labels.vector(&found.asked)?;
+        Some((found.name, kinegon::format::html_text(&vector)))
+    });
+    let told: Vec<(String, String)> = told.collect();
+    let of = |name: &str| told.iter().find(|(own, _)| own == name).map(|(_, vector)| vector.as_str());
+    assert_eq!(of("vplan(p,b)"), Some("<i>v</i><sub>B</sub>"), "{told:?}");
+    assert_eq!(of("vplan(b,c)"), Some("<i>v</i><sub>CB</sub>"), "{told:?}");
+    let tangential = told.iter().find(|(name, _)| name.starts_with("aplan(n_"));
+    assert!(tangential.is_some_and(|(_, vector)| vector.contains("<sup>") && vector.contains("<i>a</i>")), "{told:?}");
 }

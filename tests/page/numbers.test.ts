@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { evaluated, shownNumber, stepFor, stepped } from "../../web/page/number.ts";
 import { signed, sensed } from "../../web/page/panels/check/sense.ts";
-import { taken } from "../../web/page/panels/check/units.ts";
+import { isFormula, taken } from "../../web/page/panels/check/units.ts";
+import { converted, measured } from "../../web/page/units.ts";
 import { csv, fewDigits, shortened } from "../../web/page/panels/values/text.ts";
 
 test("what is typed is worked out", () => {
@@ -12,8 +13,42 @@ test("what is typed is worked out", () => {
     ["1e-3", 0.001], ["1e−3", 0.001], ["7:2", 3.5], ["2(1+1)", 4], ["", null], ["a", null], ["1/0", null], ["1.2.3", null], ["(1", null], ["1)", null], ["--1", 1], ["1e400", null],
   ];
   for (const [typed, value] of known) assert.equal(evaluated(typed), value, typed);
-  assert.equal(evaluated("60 mm", "mm"), 60);
-  assert.equal(evaluated("60 mm", "m"), null);
+});
+
+test("roots and powers are worked out", () => {
+  const known: [string, number | null][] = [
+    ["sqrt(2)*100", Math.SQRT2 * 100], ["100 sqrt(2)", Math.SQRT2 * 100], ["√2", Math.SQRT2], ["√(3+1)", 2], ["2^0.5", Math.SQRT2], ["-2^2", -4], ["2^-1", 0.5], ["2^3^2", 512],
+    ["3*2^2", 12], ["sqrt", null], ["sqrt(2", null], ["sqrt(-1)", null], ["sqrtx", null],
+  ];
+  for (const [typed, value] of known) {
+    const found = evaluated(typed);
+    assert.ok(value === null || found === null ? found === value : Math.abs(found - value) <= 1e-12 * Math.abs(value), `${typed}: ${found}`);
+  }
+});
+
+test("a number with a unit is in the unit of its box, or the unit is named", () => {
+  const known: [string, string, ReturnType<typeof measured>][] = [
+    ["15 cm", "mm", 150], ["15cm", "mm", 150], ["0,15 m", "mm", 150], ["150", "mm", 150], ["150 mm", "mm", 150], ["1 ft", "in", 12], ["sqrt(4) cm", "mm", 20], ["325/2 mm", "mm", 162.5],
+    ["180°", "rad", Math.PI], ["0.5 rev", "°", 180], ["90 deg", "°", 90], ["60 rpm", "rad/s", 2 * Math.PI], ["60 1/min", "rad/s", 2 * Math.PI], ["60 U/min", "rpm", 60], ["360 °/s", "rpm", 60],
+    ["1 m/s²", "mm/s²", 1000], ["1 m/s^2", "mm/s²", 1000], ["1 m/s2", "cm/s²", 100], ["2 kN", "N", 2000], ["1 N·m", "N·mm", 1000], ["1 kg·m²", "kg·mm²", 1e6], ["1 N/mm", "N/m", 1000],
+    ["15 c", "mm", { unit: "c" }], ["15 kg", "mm", { unit: "kg" }], ["1 m/s", "mm/s²", { unit: "m/s" }], ["15 mm", "", { unit: "mm" }], ["about 15", "mm", null], ["", "mm", null], ["x", "mm", null],
+  ];
+  for (const [typed, unit, value] of known) {
+    const found = measured(typed, unit);
+    if (typeof value !== "number" || typeof found !== "number") assert.deepEqual(found, value, typed);
+    else assert.ok(Math.abs(found - value) <= 1e-12 * value, `${typed}: ${found}`);
+  }
+  assert.equal(converted("constructor", "mm"), null);
+});
+
+test("a box of the form has the number of a formula, and the unit that stands behind it", () => {
+  assert.deepEqual(taken("325/2"), { digits: "162.5", unit: null });
+  assert.deepEqual(taken("325/2 mm"), { digits: "162.5", unit: "mm" });
+  assert.deepEqual(taken("16,25 cm"), { digits: "16,25", unit: "cm" });
+  assert.deepEqual(taken("5.36 1/min"), { digits: "5.36", unit: "1/min" });
+  assert.deepEqual(taken("100/3"), { digits: "33.3333", unit: null });
+  assert.deepEqual(taken("+32.2 °/s"), { digits: "+32.2", unit: "°/s" });
+  assert.deepEqual(["325/2", "325/2 mm", "162.5", "16.25 cm", "x", "-3"].map(isFormula), [true, true, false, false, false, false]);
 });
 
 test("a press of an arrow key goes to a whole step", () => {

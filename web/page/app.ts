@@ -1,6 +1,6 @@
 import type { HandedIn } from "./board/class.ts";
 import type { EngineClient } from "./engine/client.ts";
-import type { Opened, Picture, Pins, Refused, View } from "./engine/types.ts";
+import type { Opened, Picture, Pins, Refused, SheetPicture, View } from "./engine/types.ts";
 import type { Broken } from "./motion/film.ts";
 import type { Sheet } from "./sheets.ts";
 import type { BoardUse, Shared, Task } from "./state/address.ts";
@@ -82,8 +82,8 @@ export interface App {
   open(text: string): void;
   /** The address of this page with a document in it. */
   link(shared: Shared): Promise<string>;
-  /** Prints a sheet, or several, at their true size in mm. */
-  print(svg: string | string[], width: number, height: number): void;
+  /** Prints sheets at their true size, each on a page of its own. */
+  print(sheets: readonly SheetPicture[]): void;
 }
 
 /** What the picture, its steps and its motion need of it: all that the component has. */

@@ -1,6 +1,6 @@
 /** Numbers as people type them, and as they are shown. */
 
-const TOKEN = /\s*(?:((?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[-+−]?\d+)?)|(pi\b|π)|([-+*/()−–·×:]))/iy;
+const TOKEN = /\s*(?:((?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[-+−]?\d+)?)|(pi\b|π)|(sqrt\b|√)|([-+*/^()−–·×:]))/iy;
 const SIGNS: Record<string, string> = { "−": "-", "–": "-", "·": "*", "×": "*", ":": "/" };
 
 type Token = number | string;
@@ -12,20 +12,18 @@ function tokens(text: string): Token[] | null {
   while (TOKEN.lastIndex < text.length) {
     const token = TOKEN.exec(text);
     if (token === null) return null;
-    const [, digits, pi, sign] = token;
+    const [, digits, pi, root, sign] = token;
     if (digits !== undefined) found.push(Number(digits.replace(",", ".").replace("−", "-")));
     else if (pi !== undefined) found.push(Math.PI);
+    else if (root !== undefined) found.push("√");
     else if (sign !== undefined) found.push(SIGNS[sign] ?? sign);
   }
   return found;
 }
 
-/**
- * The value of `60`, `2,5`, `1/3`, `2*pi`, `2π`, `(3+4)/2`; null for everything else. A `unit` behind it is passed over.
- */
-export function evaluated(typed: string, unit = ""): number | null {
-  const text = typed.trim();
-  const rest = tokens(unit !== "" && text.endsWith(unit) ? text.slice(0, -unit.length).trimEnd() : text);
+/** The value of `60`, `2,5`, `1/3`, `2*pi`, `2π`, `(3+4)/2`, `sqrt(2)*100`, `2^0.5`; null for everything else. */
+export function evaluated(typed: string): number | null {
+  const rest = tokens(typed.trim());
   if (rest === null) return null;
   const sum = (): number => {
     let value = product();
@@ -33,19 +31,25 @@ export function evaluated(typed: string, unit = ""): number | null {
     return value;
   };
   const product = (): number => {
-    let value = factor();
+    let value = power();
     for (;;) {
-      if (rest[0] === "*") rest.shift(), (value *= factor());
-      else if (rest[0] === "/") rest.shift(), (value /= factor());
-      else if (rest[0] === Math.PI || rest[0] === "(") value *= factor();
+      if (rest[0] === "*") rest.shift(), (value *= power());
+      else if (rest[0] === "/") rest.shift(), (value /= power());
+      else if (rest[0] === Math.PI || rest[0] === "(" || rest[0] === "√") value *= power();
       else return value;
     }
+  };
+  /** A sign is weaker than a power: −2² is −4. */
+  const power = (): number => {
+    if (rest[0] === "-") return rest.shift(), -power();
+    if (rest[0] === "+") return rest.shift(), power();
+    const base = factor();
+    return rest[0] === "^" ? (rest.shift(), base ** power()) : base;
   };
   const factor = (): number => {
     const token = rest.shift();
     if (typeof token === "number") return token;
-    if (token === "-") return -factor();
-    if (token === "+") return factor();
+    if (token === "√") return Math.sqrt(factor());
     if (token !== "(") return Number.NaN;
     const inner = sum();
     return rest.shift() === ")" ? inner : Number.NaN;

@@ -2089,9 +2089,6 @@ export const exercise = {
     "allow_steps": "With the steps of the construction, in words",
     "allow_more": "With the next exercises of this seed",
     "link_hint": "It has the sheet to print, the form, the photograph and its check, also on a telephone. It opens the mechanism without its plans, with the form beside it. Whoever wants to can still work the answers out of the scene: for marks, collect the forms.",
-    "copied": "The link is copied.",
-    "not_copied": "Here is the link; copy it.",
-    "link_address": "Address",
     "sheet": "Sheet",
     "form": "Form",
     "scene": "Scene",
@@ -2138,9 +2135,6 @@ export const exercise = {
     "allow_steps": "Con los pasos de la construcción, en palabras",
     "allow_more": "Con los ejercicios siguientes de esta semilla",
     "link_hint": "Tiene la lámina para imprimir, el formulario, la fotografía y su comprobación, también en un teléfono. Abre el mecanismo sin sus planos, con el formulario al lado. Quien quiera puede sacar las respuestas de la escena: para poner nota, recoge los formularios.",
-    "copied": "El enlace está copiado.",
-    "not_copied": "Este es el enlace; cópialo.",
-    "link_address": "Dirección",
     "sheet": "Lámina",
     "form": "Formulario",
     "scene": "Escena",
@@ -2187,9 +2181,6 @@ export const exercise = {
     "allow_steps": "Mit den Schritten der Konstruktion, in Worten",
     "allow_more": "Mit den nächsten Aufgaben dieses Startwerts",
     "link_hint": "Er hat das Blatt zum Drucken, das Formular, das Foto und dessen Prüfung, auch auf einem Telefon. Er öffnet den Mechanismus ohne seine Pläne, mit dem Formular daneben. Wer will, kann die Lösung trotzdem aus der Szene ermitteln: Für eine Note sammeln Sie die Formulare ein.",
-    "copied": "Der Link ist kopiert.",
-    "not_copied": "Hier ist der Link; kopieren Sie ihn.",
-    "link_address": "Adresse",
     "sheet": "Blatt",
     "form": "Formular",
     "scene": "Szene",
@@ -2236,9 +2227,6 @@ export const exercise = {
     "allow_steps": "Com os passos da construção, em palavras",
     "allow_more": "Com os próximos exercícios desta semente",
     "link_hint": "Ele tem a folha para imprimir, o formulário, a fotografia e sua conferência, também em um telefone. Abre o mecanismo sem os seus polígonos, com o formulário ao lado. Quem quiser ainda pode tirar as respostas da cena: para dar nota, recolha os formulários.",
-    "copied": "O link está copiado.",
-    "not_copied": "Aqui está o link; copie-o.",
-    "link_address": "Endereço",
     "sheet": "Folha",
     "form": "Formulário",
     "scene": "Cena",
@@ -2404,7 +2392,8 @@ export const modes = {
 export const parts = {
   "en": {
     "needed": "A number is needed here.",
-    "unread": "Not a number. Type 60, 2.5, 1/3 or 2*pi.",
+    "unread": "Not a number. Type 60, 2.5, 1/3, 2*pi or sqrt(2), with a unit if you like: 15 cm.",
+    "other_unit": "{unit} cannot be converted to {own}.",
     "least": "At least {least}.",
     "nameless": "A name is needed.",
     "pin_point": "Hold {name} while shaping",
@@ -2416,7 +2405,8 @@ export const parts = {
   },
   "es": {
     "needed": "Aquí hace falta un número.",
-    "unread": "No es un número. Escriba 60, 2,5, 1/3 o 2*pi.",
+    "unread": "No es un número. Escriba 60, 2,5, 1/3, 2*pi o sqrt(2), si quiere con unidad: 15 cm.",
+    "other_unit": "{unit} no se puede convertir a {own}.",
     "least": "Al menos {least}.",
     "nameless": "Hace falta un nombre.",
     "pin_point": "Sujetar {name} al dar forma",
@@ -2428,7 +2418,8 @@ export const parts = {
   },
   "de": {
     "needed": "Hier wird eine Zahl gebraucht.",
-    "unread": "Keine Zahl. Tippen Sie 60 oder 2,5 oder 1/3 oder 2*pi.",
+    "unread": "Keine Zahl. Tippen Sie 60, 2,5, 1/3, 2*pi oder sqrt(2), gern mit einer Einheit: 15 cm.",
+    "other_unit": "{unit} lässt sich nicht in {own} umrechnen.",
     "least": "Mindestens {least}.",
     "nameless": "Ein Name wird gebraucht.",
     "pin_point": "{name} beim Formen festhalten",
@@ -2440,7 +2431,8 @@ export const parts = {
   },
   "pt": {
     "needed": "Aqui é preciso um número.",
-    "unread": "Não é um número. Escreva 60, 2,5, 1/3 ou 2*pi.",
+    "unread": "Não é um número. Escreva 60, 2,5, 1/3, 2*pi ou sqrt(2), se quiser com unidade: 15 cm.",
+    "other_unit": "{unit} não pode ser convertida para {own}.",
     "least": "Pelo menos {least}.",
     "nameless": "É preciso um nome.",
     "pin_point": "Fixar {name} ao moldar",
@@ -2484,11 +2476,6 @@ export const save = {
     "page_file": "This page with the scene",
     "page_about": "The page was not loaded whole, so it cannot be saved. Reload it.",
     "copy_link": "Copy the link",
-    "link_of": "Link with the scene in it, {size} characters",
-    "link_copied": "The link is on the clipboard: {size} characters.",
-    "link_not_copied": "This browser does not let the page use the clipboard. The link is selected: copy it with Ctrl+C.",
-    "link_long": "At {size} characters this link is too long for some mail programs and chats. The scene file or the page as one file is safer.",
-    "link_local": "This page was opened from a file of this computer: its links work only here. Open it from a web page to share links, or share the page as one file.",
     "print": "Print at 100 %",
     "print_now": "Print …",
     "size": "{name} {width} mm × {height} mm",
@@ -2529,11 +2516,6 @@ export const save = {
     "page_file": "Esta página con la escena",
     "page_about": "La página no se cargó entera y no puede guardarse. Vuelva a cargarla.",
     "copy_link": "Copiar el enlace",
-    "link_of": "Enlace con la escena dentro, {size} caracteres",
-    "link_copied": "El enlace está en el portapapeles: {size} caracteres.",
-    "link_not_copied": "Este navegador no deja que la página use el portapapeles. El enlace está seleccionado: cópielo con Ctrl+C.",
-    "link_long": "Con {size} caracteres este enlace es demasiado largo para algunos programas de correo y chats. El archivo de escena o la página en un solo archivo son más seguros.",
-    "link_local": "Esta página se abrió desde un archivo de este ordenador: sus enlaces solo valen aquí. Ábrala desde la web para compartir enlaces, o comparta la página en un solo archivo.",
     "print": "Imprimir al 100 %",
     "print_now": "Imprimir …",
     "size": "{name} {width} mm × {height} mm",
@@ -2574,11 +2556,6 @@ export const save = {
     "page_file": "Diese Seite mit der Szene",
     "page_about": "Die Seite wurde nicht vollständig geladen und lässt sich nicht sichern. Laden Sie sie neu.",
     "copy_link": "Link kopieren",
-    "link_of": "Link mit der Szene darin, {size} Zeichen",
-    "link_copied": "Der Link ist in der Zwischenablage: {size} Zeichen.",
-    "link_not_copied": "Dieser Browser lässt die Seite nicht in die Zwischenablage schreiben. Der Link ist markiert: Kopieren Sie ihn mit Strg+C.",
-    "link_long": "Mit {size} Zeichen ist dieser Link für manche Mailprogramme und Chats zu lang. Die Szenendatei oder die Seite als eine Datei ist sicherer.",
-    "link_local": "Diese Seite wurde aus einer Datei dieses Rechners geöffnet: Ihre Links gelten nur hier. Öffnen Sie sie von einer Webseite, um Links weiterzugeben, oder geben Sie die Seite als eine Datei weiter.",
     "print": "Drucken mit 100 %",
     "print_now": "Drucken …",
     "size": "{name} {width} mm × {height} mm",
@@ -2619,11 +2596,6 @@ export const save = {
     "page_file": "Esta página com a cena",
     "page_about": "A página não foi carregada inteira e por isso não pode ser salva. Recarregue-a.",
     "copy_link": "Copiar o link",
-    "link_of": "Link com a cena dentro, {size} caracteres",
-    "link_copied": "O link está na área de transferência: {size} caracteres.",
-    "link_not_copied": "Este navegador não deixa a página usar a área de transferência. O link está selecionado: copie-o com Ctrl+C.",
-    "link_long": "Com {size} caracteres este link é longo demais para alguns programas de e-mail e chats. O arquivo de cena ou a página em um só arquivo são mais seguros.",
-    "link_local": "Esta página foi aberta de um arquivo deste computador: seus links só funcionam aqui. Abra-a na web para compartilhar links, ou compartilhe a página em um só arquivo.",
     "print": "Imprimir a 100 %",
     "print_now": "Imprimir…",
     "size": "{name} {width} mm × {height} mm",
@@ -2632,6 +2604,37 @@ export const save = {
     "to_scale": "Na janela de impressão escolha 100 % (tamanho real), este papel e nenhuma margem.",
     "ruler": "A folha de trabalho tem uma régua. Se ela mede 50 mm na impressão, tudo está em escala.",
     "saved": "Salvo: {name}"
+  }
+};
+
+export const link = {
+  "en": {
+    "of": "Link with the scene in it, {size} characters",
+    "copied": "The link is on the clipboard: {size} characters.",
+    "not_copied": "This browser does not let the page use the clipboard. The link is selected: copy it with Ctrl+C.",
+    "long": "At {size} characters this link is too long for some mail programs and chats. The scene file or the page as one file is safer.",
+    "local": "This page was opened from a file of this computer: its links work only here. Open it from a web page to share links, or share the page as one file."
+  },
+  "es": {
+    "of": "Enlace con la escena dentro, {size} caracteres",
+    "copied": "El enlace está en el portapapeles: {size} caracteres.",
+    "not_copied": "Este navegador no deja que la página use el portapapeles. El enlace está seleccionado: cópielo con Ctrl+C.",
+    "long": "Con {size} caracteres este enlace es demasiado largo para algunos programas de correo y chats. El archivo de escena o la página en un solo archivo son más seguros.",
+    "local": "Esta página se abrió desde un archivo de este ordenador: sus enlaces solo valen aquí. Ábrala desde la web para compartir enlaces, o comparta la página en un solo archivo."
+  },
+  "de": {
+    "of": "Link mit der Szene darin, {size} Zeichen",
+    "copied": "Der Link ist in der Zwischenablage: {size} Zeichen.",
+    "not_copied": "Dieser Browser lässt die Seite nicht in die Zwischenablage schreiben. Der Link ist markiert: Kopieren Sie ihn mit Strg+C.",
+    "long": "Mit {size} Zeichen ist dieser Link für manche Mailprogramme und Chats zu lang. Die Szenendatei oder die Seite als eine Datei ist sicherer.",
+    "local": "Diese Seite wurde aus einer Datei dieses Rechners geöffnet: Ihre Links gelten nur hier. Öffnen Sie sie von einer Webseite, um Links weiterzugeben, oder geben Sie die Seite als eine Datei weiter."
+  },
+  "pt": {
+    "of": "Link com a cena dentro, {size} caracteres",
+    "copied": "O link está na área de transferência: {size} caracteres.",
+    "not_copied": "Este navegador não deixa a página usar a área de transferência. O link está selecionado: copie-o com Ctrl+C.",
+    "long": "Com {size} caracteres este link é longo demais para alguns programas de e-mail e chats. O arquivo de cena ou a página em um só arquivo são mais seguros.",
+    "local": "Esta página foi aberta de um arquivo deste computador: seus links só funcionam aqui. Abra-a na web para compartilhar links, ou compartilhe a página em um só arquivo."
   }
 };
 
@@ -2678,6 +2681,7 @@ export const check = {
     "remove": "Remove {name}",
     "unit_of": "Unit of {name}",
     "on_paper": "mm of paper",
+    "is_on_paper": "= {value} mm on paper",
     "sense_of": "Sense of {name}",
     "ccw": "counter-clockwise",
     "cw": "clockwise",
@@ -2766,6 +2770,7 @@ export const check = {
     "remove": "Quitar {name}",
     "unit_of": "Unidad de {name}",
     "on_paper": "mm de papel",
+    "is_on_paper": "= {value} mm en el papel",
     "sense_of": "Sentido de {name}",
     "ccw": "antihorario",
     "cw": "horario",
@@ -2854,6 +2859,7 @@ export const check = {
     "remove": "{name} entfernen",
     "unit_of": "Einheit von {name}",
     "on_paper": "mm Papier",
+    "is_on_paper": "= {value} mm auf dem Papier",
     "sense_of": "Richtungssinn von {name}",
     "ccw": "gegen Uhrzeigersinn",
     "cw": "im Uhrzeigersinn",
@@ -2942,6 +2948,7 @@ export const check = {
     "remove": "Remover {name}",
     "unit_of": "Unidade de {name}",
     "on_paper": "mm de papel",
+    "is_on_paper": "= {value} mm no papel",
     "sense_of": "Sentido de {name}",
     "ccw": "anti-horário",
     "cw": "horário",
@@ -3324,6 +3331,7 @@ export const board = {
     "put_back": "Put the one before back",
     "replay": "Replay",
     "end_replay": "Back to drawing",
+    "look_on": "Play draws it operation by operation; the slider goes to any of them.",
     "play": "Play",
     "pause": "Pause",
     "speed": "Speed",
@@ -3332,10 +3340,21 @@ export const board = {
     "first_wrong": "First wrong: operation {number}",
     "all_right": "All is there, and all is right.",
     "right_so_far": "Right so far.",
+    "all_there": "All that is asked for is there.",
+    "leads_nowhere": [
+      {
+        "by": "count",
+        "forms": {
+          "one": "Operation {numbers} leads to no point of the plan yet.",
+          "other": "Operations {numbers} lead to no point of the plan yet."
+        }
+      }
+    ],
+    "others_right": "All others are right.",
     "is_right": "right",
     "is_wrong": "wrong",
     "is_follows": "follows from a wrong one",
-    "is_unused": "not used",
+    "is_unused": "leads nowhere yet",
     "is_undone": "taken back",
     "normal": "at right angles to",
     "parallel": "parallel to",
@@ -3462,6 +3481,7 @@ export const board = {
     "put_back": "Volver al anterior",
     "replay": "Reproducir",
     "end_replay": "Volver a dibujar",
+    "look_on": "Reproducir lo dibuja operación por operación; el deslizador va a cualquiera de ellas.",
     "play": "Reproducir",
     "pause": "Pausa",
     "speed": "Velocidad de reproducción",
@@ -3470,10 +3490,21 @@ export const board = {
     "first_wrong": "Primera equivocada: la operación {number}",
     "all_right": "Está todo, y todo es correcto.",
     "right_so_far": "Hasta aquí, correcto.",
+    "all_there": "Está todo lo que se pide.",
+    "leads_nowhere": [
+      {
+        "by": "count",
+        "forms": {
+          "one": "La operación {numbers} no lleva todavía a ningún punto del plano.",
+          "other": "Las operaciones {numbers} no llevan todavía a ningún punto del plano."
+        }
+      }
+    ],
+    "others_right": "Todas las demás son correctas.",
     "is_right": "correcta",
     "is_wrong": "equivocada",
     "is_follows": "se sigue de una equivocada",
-    "is_unused": "no se usa",
+    "is_unused": "no lleva a nada todavía",
     "is_undone": "deshecha",
     "normal": "perpendicular a",
     "parallel": "paralela a",
@@ -3600,6 +3631,7 @@ export const board = {
     "put_back": "Vorherige zurückholen",
     "replay": "Abspielen",
     "end_replay": "Zurück zum Zeichnen",
+    "look_on": "Abspielen zeichnet Schritt für Schritt; der Schieber geht zu jedem davon.",
     "play": "Abspielen",
     "pause": "Pause",
     "speed": "Tempo",
@@ -3608,10 +3640,21 @@ export const board = {
     "first_wrong": "Zuerst falsch: Schritt {number}",
     "all_right": "Alles ist da, und alles ist richtig.",
     "right_so_far": "Bis hierher richtig.",
+    "all_there": "Alles Gefragte ist da.",
+    "leads_nowhere": [
+      {
+        "by": "count",
+        "forms": {
+          "one": "Schritt {numbers} führt noch zu keinem Punkt des Plans.",
+          "other": "Die Schritte {numbers} führen noch zu keinem Punkt des Plans."
+        }
+      }
+    ],
+    "others_right": "Alle anderen sind richtig.",
     "is_right": "richtig",
     "is_wrong": "falsch",
     "is_follows": "folgt aus einem falschen",
-    "is_unused": "nicht benutzt",
+    "is_unused": "führt noch nirgendwohin",
     "is_undone": "zurückgenommen",
     "normal": "senkrecht zu",
     "parallel": "parallel zu",
@@ -3738,6 +3781,7 @@ export const board = {
     "put_back": "Voltar ao anterior",
     "replay": "Reproduzir",
     "end_replay": "Voltar a desenhar",
+    "look_on": "Reproduzir desenha operação por operação; o controle deslizante vai a qualquer uma delas.",
     "play": "Reproduzir",
     "pause": "Pausa",
     "speed": "Ritmo",
@@ -3746,10 +3790,21 @@ export const board = {
     "first_wrong": "Primeira errada: a operação {number}",
     "all_right": "Está tudo lá, e tudo certo.",
     "right_so_far": "Certo até aqui.",
+    "all_there": "Está tudo o que se pede.",
+    "leads_nowhere": [
+      {
+        "by": "count",
+        "forms": {
+          "one": "A operação {numbers} ainda não leva a nenhum ponto do polígono.",
+          "other": "As operações {numbers} ainda não levam a nenhum ponto do polígono."
+        }
+      }
+    ],
+    "others_right": "Todas as outras estão certas.",
     "is_right": "certa",
     "is_wrong": "errada",
     "is_follows": "decorre de uma errada",
-    "is_unused": "não usada",
+    "is_unused": "ainda não leva a nada",
     "is_undone": "desfeita",
     "normal": "perpendicular a",
     "parallel": "paralela a",

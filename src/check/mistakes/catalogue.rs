@@ -316,8 +316,13 @@ macro_rules! catalogue {
             Truncated "truncated" 1.0 copying::truncated { truncated() }
             /// The wrong unit written beside a value.
             WrongUnit "wrong-unit" 5.0 copying::unit { wrong_unit(quantity, number, wrong, right) }
-            /// A value in another unit of length than the scene's, and no unit beside it.
-            OtherUnit "other-unit" 3.0 copying::other_unit { other_unit(quantity, number, unit, own) }
+            /// A value in another unit of length than the scene's, or where millimetres of paper are asked for, and no unit beside it.
+            OtherUnit "other-unit" 3.0 copying::other_unit {
+                other_unit(quantity, number, unit, own)
+                value_for_paper(quantity, number, unit, scale, mm)
+                /// All of a sheet.
+                values_for_paper(segments, unit, scale)
+            }
             /// A value wrong for a reason that the catalogue does not know, and used in later operations.
             Unknown "unknown" 10.0 unknown::everywhere {
                 unknown(quantity)

@@ -5,6 +5,9 @@ use super::site::{Candidate, Reinterpretation, Site};
 use super::told::{Blank, Told, tell};
 use crate::check::entry::Entry;
 use crate::construction::{Change, Disturbance};
+use crate::scene::DecimalMark;
+use crate::sheet::Sheet;
+use crate::words::NumberStyle;
 
 /// The candidates for values written otherwise than meant: one where later operations use the written values, if any
 /// do, and one where they do not.
@@ -170,15 +173,44 @@ pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
     for (index, entry) in written(site) {
         let Some(unit) = &entry.unit else { continue };
         let factor = entry.factor_without_unit / entry.factor;
-        let right = entry.asked.kind().unit(site.key.solution.scene.units);
+        let own = || entry.asked.kind().unit(site.key.solution.scene.units);
+        let right = if entry.on_paper { "mm".to_owned() } else { own() };
         found.extend(in_unit(site, tell::wrong_unit, index, factor, [unit, &right]));
     }
     found
 }
 
-/// The number is right in another metric unit than the scene's, and no unit is written.
-pub(super) fn other_unit(site: &Site<'_>) -> Vec<Candidate> {
+/// Values where millimetres of paper are asked for: one, or all of a sheet.
+fn values_for_paper(site: &Site<'_>) -> Vec<Candidate> {
+    let on_paper = || written(site).filter(|(_, entry)| entry.on_paper && entry.unit.is_none());
+    let number = |x: f64| Blank::Number(NumberStyle::significant(5).trimmed().write(x, DecimalMark::Point));
+    let unit = |entry: &Entry| Blank::from(entry.asked.kind().unit(site.key.solution.scene.units).as_str());
+    let meant = |(index, entry): (usize, &Entry)| {
+        let per_mm = entry.factor.abs();
+        meant_as(index, entry.value / per_mm, entry.rounding / per_mm)
+    };
+    let is_other = |entry: &Entry| (entry.factor.abs() - 1.0).abs() > 1e-9;
     let mut found = Vec::new();
+    for (index, entry) in on_paper().filter(|(_, entry)| is_other(entry)) {
+        let mm = entry.text.parse::<f64>().unwrap_or(0.0) / entry.factor;
+        let numbers = (digits(&entry.text), number(entry.factor), number(mm));
+        let told = tell::value_for_paper(named(entry), numbers.0, unit(entry), numbers.1, numbers.2);
+        found.extend(misread(site, told, vec![meant((index, entry))]));
+    }
+    for sheet in Sheet::ALL {
+        let all: Vec<(usize, &Entry)> = on_paper().filter(|(_, entry)| entry.asked.sheet() == sheet).collect();
+        if let Some((_, first)) = all.first().filter(|(_, first)| all.len() > 1 && is_other(first)) {
+            let told = tell::values_for_paper(Blank::AllSegments, unit(first), number(first.factor));
+            found.extend(misread(site, told, all.iter().map(|one| meant(*one)).collect()));
+        }
+    }
+    found
+}
+
+/// No unit is written, and the number is right in another metric unit than the scene's; or it is the value where millimetres of paper
+/// are asked for.
+pub(super) fn other_unit(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = values_for_paper(site);
     for (index, entry) in written(site) {
         let own = entry.asked.kind().unit(site.key.solution.scene.units);
         let head = own.split('/').next().unwrap_or("");

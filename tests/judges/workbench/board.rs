@@ -55,7 +55,7 @@ pub fn drawing(bench: &mut Bench) -> Value {
 }
 
 /// What the engine says of the drawing.
-fn known(bench: &mut Bench) -> Value {
+pub fn known(bench: &mut Bench) -> Value {
     bench.value("kinegon.engine.board(kinegon.app.solved.value.good, kinegon.history.now.value.drawing ?? '')")
 }
 
@@ -78,10 +78,10 @@ pub fn on_screen(bench: &mut Bench, sheet: &str, [x, y]: [f64; 2]) -> [f64; 2] {
 }
 
 /// A hand that counts what it does.
-struct Hand<'b> {
-    bench: &'b mut Bench,
-    is_finger: bool,
-    gestures: usize,
+pub struct Hand<'b> {
+    pub bench: &'b mut Bench,
+    pub is_finger: bool,
+    pub gestures: usize,
 }
 
 impl Hand<'_> {
@@ -123,7 +123,7 @@ impl Hand<'_> {
     }
 
     /// The velocity plan; `coupler`: the link to which the first line is normal.
-    fn velocity_plan(&mut self, coupler: &str) {
+    pub fn velocity_plan(&mut self, coupler: &str) {
         self.tool("lay_off");
         self.chip("omega(1)");
         self.chip("L(A,B)");

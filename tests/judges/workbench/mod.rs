@@ -23,6 +23,7 @@ mod minutes;
 mod people;
 mod photo;
 mod prepare;
+mod road;
 mod share;
 mod speed;
 mod student;

@@ -108,7 +108,7 @@ fn bench_saved(bench: &mut Bench, button: &str) -> (String, Vec<u8>) {
 }
 
 /// Side lengths of each page in mm.
-fn papers(pdf: &[u8]) -> Vec<[f64; 2]> {
+pub fn papers(pdf: &[u8]) -> Vec<[f64; 2]> {
     let pdf = lopdf::Document::load_mem(pdf).expect("PDF");
     let sides = |id| -> [f64; 2] {
         let page: &lopdf::Dictionary = pdf.get_dictionary(id).expect("a page");

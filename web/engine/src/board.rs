@@ -1,5 +1,6 @@
 //! The drawing board: drawings in and out as text, all geometry and every judgement the library's.
 
+use crate::checks::SheetPicture;
 use crate::desk::Desk;
 use crate::refused::Refused;
 use kinegon::board::{
@@ -25,17 +26,6 @@ pub struct BoardPictureAsk {
     /// Whether what is wrong is marked.
     #[serde(default)]
     pub judged: bool,
-}
-
-/// A sheet of a drawing.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct BoardPicture {
-    /// The picture; one unit of it is a millimetre of the sheet.
-    pub svg: String,
-    /// Width in mm.
-    pub width: f64,
-    /// Height in mm.
-    pub height: f64,
 }
 
 /// What is found of a drawing.
@@ -131,7 +121,7 @@ impl Kept {
         desk: &mut Desk,
         [text, drawing]: [&str; 2],
         ask: &BoardPictureAsk,
-    ) -> Result<BoardPicture, Refused> {
+    ) -> Result<SheetPicture, Refused> {
         // A drawing that cannot be judged is shown as it is.
         let judged =
             if ask.judged { self.judged(desk, text, drawing).ok().map(|(.., judged)| judged.clone()) } else { None };
@@ -139,7 +129,7 @@ impl Kept {
         let letters = ask.letters.unwrap_or(LETTERS).clamp(0.5, 50.0);
         let picture = screen.picture(read, ask.sheet, ask.until, letters, judged.as_ref());
         let picture = picture.ok_or_else(|| Refused::whole(kinegon::board::says::no_sheet()))?;
-        Ok(BoardPicture { svg: picture.svg(), width: picture.width, height: picture.height })
+        Ok(SheetPicture { svg: picture.svg(), width: picture.width, height: picture.height })
     }
 
     pub fn judge(&mut self, desk: &mut Desk, text: &str, drawing: &str) -> Result<BoardJudged, Refused> {

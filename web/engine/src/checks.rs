@@ -39,7 +39,7 @@ pub struct Checked {
     /// Values that are not understood, by their names in the form.
     pub faults: Vec<Fault>,
     /// The student's drawing over the right one, where it was asked for.
-    pub overlays: Vec<OverlaySheet>,
+    pub overlays: Vec<SheetPicture>,
     /// The page that `--feedback` writes for a browser, where it was asked for.
     pub feedback: String,
     /// The marks in words, where a marking scheme was given.
@@ -57,10 +57,10 @@ pub struct Fault {
     pub hint: Option<String>,
 }
 
-/// A sheet.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct OverlaySheet {
-    /// The sheet.
+/// A sheet of paper.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct SheetPicture {
+    /// The picture; one unit of it is a millimetre of the sheet.
     pub svg: String,
     /// Width in mm.
     pub width: f64,
@@ -158,11 +158,11 @@ fn set_faults_apart(measured: &mut Measured, key: &AnswerKey<'_>, language: &Lan
 }
 
 /// The student's drawing over the right one, as large as the sheet allows; words and table stand on the page.
-fn sheets(key: &AnswerKey<'_>, redrawn: Overlay) -> Vec<OverlaySheet> {
+fn sheets(key: &AnswerKey<'_>, redrawn: Overlay) -> Vec<SheetPicture> {
     let mut solution = key.solution.clone();
     let figure = &mut solution.scene.figure;
     figure.mu = Default::default();
     let drawn = Overlay { words: Vec::new(), values: Vec::new(), ..redrawn };
     let sheets = overlay(&solution, &drawn);
-    sheets.iter().map(|sheet| OverlaySheet { svg: sheet.svg(), width: sheet.width, height: sheet.height }).collect()
+    sheets.iter().map(|sheet| SheetPicture { svg: sheet.svg(), width: sheet.width, height: sheet.height }).collect()
 }

@@ -1,3 +1,4 @@
+use crate::checks::SheetPicture;
 use crate::refused::Refused;
 use kinegon::Scene;
 use kinegon::drawing::Drawing;
@@ -32,18 +33,10 @@ pub struct Exercise {
     pub name: String,
     /// What is given and what is to be drawn, at which scales: the sheet's sentences, in HTML of `<i>`, `<sub>`, `<sup>` and text alone.
     pub given: Vec<String>,
-    /// The student's sheet: sheet.svg.
-    pub sheet: String,
-    /// Its width in mm.
-    pub width: f64,
-    /// Its height in mm.
-    pub height: f64,
+    /// The student's sheets, as `sheet.pdf` has them: what is given, then those for the plans.
+    pub sheets: Vec<SheetPicture>,
     /// The teacher's key: key.svg.
-    pub key: String,
-    /// Its width in mm.
-    pub key_width: f64,
-    /// Its height in mm.
-    pub key_height: f64,
+    pub key: SheetPicture,
     /// The empty form: form.json.
     pub form: String,
     /// The same as a table: form.csv.
@@ -110,9 +103,11 @@ impl ExerciseOptions {
 impl Exercise {
     /// The files of an exercise with that name; what is given is told in a language, if one is chosen.
     pub fn of(found: &Found, name: String, language: Option<LanguageName>) -> Exercise {
-        let letters = |drawing: &Drawing| svg_with(drawing, Text::Letters);
-        let (sheets, key) = (found.sheets(&name), found.key_sheet());
-        let sheet = sheets.first().unwrap_or(&found.sheet);
+        let picture = |drawing: &Drawing| SheetPicture {
+            svg: svg_with(drawing, Text::Letters),
+            width: drawing.width,
+            height: drawing.height,
+        };
         let form = found.form(&name);
         let mut told = found.clone();
         told.solution.scene.figure.language = language.unwrap_or(found.solution.scene.figure.language);
@@ -120,12 +115,8 @@ impl Exercise {
         Exercise {
             text: found.text.clone(),
             given: given.iter().map(html_text).collect(),
-            sheet: letters(sheet),
-            width: sheet.width,
-            height: sheet.height,
-            key: letters(&key),
-            key_width: key.width,
-            key_height: key.height,
+            sheets: found.sheets(&name).iter().map(picture).collect(),
+            key: picture(&found.key_sheet()),
             form: form.json(&found.solution),
             form_csv: form.csv(&found.solution),
             key_values: format::json(&found.key()),

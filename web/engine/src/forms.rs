@@ -2,6 +2,7 @@ use crate::checks::measured;
 use crate::desk::Desk;
 use crate::refused::Refused;
 use kinegon::check::{AnswerKey, FormBox, Measured, form_boxes, further_boxes, sheet_points};
+use kinegon::drawing::SheetLabels;
 use kinegon::format::html_text;
 use kinegon::{Sheet, Solution};
 use schemars::JsonSchema;
@@ -30,6 +31,8 @@ pub struct FormRow {
     pub name: String,
     /// As the sheet writes it: HTML of `<i>`, `<sub>`, `<sup>` and text alone.
     pub label: String,
+    /// The velocity or acceleration that a segment of a plan is, in the same HTML; empty for what is none.
+    pub vector: String,
     /// The scene's unit of it.
     pub unit: String,
     /// The sheet from which it is read.
@@ -69,10 +72,12 @@ impl Desk {
     pub fn form(&mut self, text: &str, filled: &str) -> Result<Form, Refused> {
         let solution = &*self.told(text)?;
         let figure = solution.stepwise_figure();
+        let labels = SheetLabels::of(solution);
         let row = |asked: bool| {
-            let figure = &figure;
+            let (figure, labels) = (&figure, &labels);
             move |found: FormBox| FormRow {
                 label: html_text(&found.label),
+                vector: labels.vector(&found.asked).as_ref().map(html_text).unwrap_or_default(),
                 unit: found.asked.kind().unit(solution.scene.units),
                 panel: found.asked.sheet(),
                 step: found.step,

@@ -1,7 +1,7 @@
 use crate::answers::{Opened, Picture, Running, ValueRow, View};
-use crate::board::{BoardJudged, BoardPicture, BoardPictureAsk};
+use crate::board::{BoardJudged, BoardPictureAsk};
 use crate::building::{Drafted, DraftedView};
-use crate::checks::{CheckOptions, Checked};
+use crate::checks::{CheckOptions, Checked, SheetPicture};
 use crate::exercises::{Exercise, ExerciseOptions};
 use crate::files::{Drawn, FileRequest, OverCycle};
 use crate::forms::Form;
@@ -41,7 +41,7 @@ pub fn schema() -> Value {
         ValueRow
     );
     add!(Drafted, DraftedView);
-    add!(Board, Pressed, Snapped, BoardPicture, BoardPictureAsk, BoardJudged, BoardHint);
+    add!(Board, Pressed, Snapped, SheetPicture, BoardPictureAsk, BoardJudged, BoardHint);
     add!(Form, Checked, CheckOptions, Exercise, ExerciseOptions);
     add!(PhotoRead, Tapped, PlacedPoint, PointVerdict, Proposed);
     let mut definitions = types.take_definitions(true);

@@ -3,6 +3,7 @@ import type { App } from "../app.ts";
 import type { BoardUse } from "../state/address.ts";
 import { formFile } from "../panels/check/form.ts";
 import { scaleOf, type Sheet } from "../sheets.ts";
+import { goodText } from "../state/solving.ts";
 import { drawingOf, drawingText, type Drawing } from "./file.ts";
 
 /** How the board is used where no link says it. */
@@ -25,7 +26,7 @@ export interface OnPaper {
 
 /** Goes on, on the board, with points that stand on paper; those that are drawn there already stay as they are. */
 export async function goOnWith(app: App, plans: readonly OnPaper[]): Promise<void> {
-  const scene = app.solved.value.good;
+  const scene = await goodText(app);
   const empty = (await app.engine.board(scene, "")).drawing;
   const text = app.history.now.value.drawing || begunWith(app, empty);
   const drawing: Drawing = { ...drawingOf(empty), ...(drawingOf(text) ?? { kinegon_drawing: 1, did: [] }) };

@@ -6,7 +6,9 @@ import { radios } from "../dom/radios.ts";
 import { button, worded } from "../dom/worded.ts";
 import { askedFor, textOf } from "../files/open.ts";
 import { name } from "../layout/say.ts";
+import { said } from "../refused.ts";
 import { called, DRAWN_ON, type Sheet } from "../sheets.ts";
+import { goodText } from "../state/solving.ts";
 import { language } from "../words.ts";
 import { classList } from "./class.ts";
 import { drawingOf } from "./file.ts";
@@ -109,8 +111,23 @@ function builds(app: App): { show(is: boolean): void } {
 
 /** What is looked at: the drawing that the link has, else the program's. */
 async function demonstrate(app: App, own: Model): Promise<void> {
-  if (drawingOf(own.text()) === null) own.looked.set(await app.engine.board_own(app.solved.value.good).catch(() => null));
+  if (drawingOf(own.text()) === null) return lookAtOwn(app, own);
+  lookFromBeginning(own);
+}
+
+function lookFromBeginning(own: Model): void {
   own.until.set(0);
+  own.says.set({ text: say("look_on"), isBad: false });
+}
+
+/** Looks at the program's construction, from its beginning. */
+async function lookAtOwn(app: App, own: Model): Promise<void> {
+  try {
+    own.looked.set(await app.engine.board_own(await goodText(app)));
+    lookFromBeginning(own);
+  } catch (refused) {
+    own.says.set({ text: said(refused), isBad: true });
+  }
 }
 
 /** One sheet with the scheme as a card to pick links from, or all. */
@@ -197,10 +214,7 @@ function files(app: App, own: Model, told: ReturnType<typeof judging>): HTMLElem
   const again = act("replay", () => own.until.set(own.until.value === null ? 0 : null));
   const right = act("own_construction", () => {
     if (own.looked.value !== null) return own.looked.set(null), own.until.set(null);
-    void app.engine.board_own(app.solved.value.good).then((text) => {
-      own.looked.set(text);
-      own.until.set(0);
-    });
+    void lookAtOwn(app, own);
   });
   own.looked.on((text) => (right.textContent = say(text === null ? "own_construction" : "own_drawing")));
   const before = act("put_back", () => void own.open(own.replaced.value ?? ""));

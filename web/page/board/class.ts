@@ -3,8 +3,10 @@ import type { App } from "../app.ts";
 import { element } from "../dom/element.ts";
 import { said } from "../refused.ts";
 import { newest } from "../state/newest.ts";
+import { goodText } from "../state/solving.ts";
 import { language } from "../words.ts";
 import { drawingOf } from "./file.ts";
+import { soFar } from "./judging.ts";
 import type { Model } from "./model.ts";
 import { say } from "./words.ts";
 
@@ -27,9 +29,10 @@ async function judged(app: App, handed: HandedIn): Promise<Judged> {
   const last = Number(did.at(-1)?.["t"]);
   const own = { ...handed, name: typeof name === "string" && name !== "" ? name : handed.name.replace(/\.json$/i, ""), minutes: Number.isFinite(last) ? Math.ceil(last / 60_000) : null };
   try {
-    const { entries, first_wrong: first, is_complete: isComplete } = await app.engine.board_judge(app.solved.value.good, handed.text);
+    const judged = await app.engine.board_judge(await goodText(app), handed.text);
+    const { entries, first_wrong: first, is_complete: isComplete } = judged;
     const wrong = first == null ? undefined : entries[first];
-    if (wrong === undefined) return { ...own, found: say(isComplete ? "all_right" : "right_so_far"), rank: isComplete ? 2 : 1 };
+    if (wrong === undefined) return { ...own, found: soFar(judged, did), rank: isComplete ? 2 : 1 };
     return { ...own, found: wrong.done ?? wrong.says ?? "", rank: 0 };
   } catch (refused) {
     return { ...own, found: said(refused), rank: 3 };

@@ -1,6 +1,7 @@
 /** Mouse, pen and fingers on the sheets: what a press adds is the engine's answer. */
 import type { App } from "../app.ts";
 import { touch, type Press } from "../look/touch.ts";
+import { said } from "../refused.ts";
 import { newest } from "../state/newest.ts";
 import type { Model } from "./model.ts";
 import type { Place, Stage } from "./stage.ts";
@@ -56,9 +57,12 @@ export function askWhich(model: Model, meant: readonly Snapped[]): void {
 
 /** What is possible at a place, the nearest first. */
 export async function snaps(app: App, model: Model, stage: Stage, at: Place, reach: number): Promise<Snapped[]> {
-  const { good } = app.solved.value;
-  if (good === "" || model.until.value !== null) return [];
-  return app.engine.board_snap(good, model.known.value?.drawing ?? "", { has: model.has.value, sheet: stage.sheet, at, reach }).catch(() => []);
+  const known = model.known.value;
+  if (known === null || model.until.value !== null) return [];
+  return app.engine.board_snap(known.scene, known.drawing, { has: model.has.value, sheet: stage.sheet, at, reach }).catch((refused: unknown) => {
+    model.says.set({ text: said(refused), isBad: true });
+    return [];
+  });
 }
 
 export function hands(app: App, model: Model, stages: readonly Stage[]): void {

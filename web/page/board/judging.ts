@@ -4,7 +4,7 @@ import { fileName, saveFile } from "../files/save.ts";
 import { said } from "../refused.ts";
 import { newest } from "../state/newest.ts";
 import { signal, type Signal } from "../state/signal.ts";
-import { standing } from "./file.ts";
+import { standing, type Entry } from "./file.ts";
 import type { Model } from "./model.ts";
 import type { BoardJudged, JudgedEntry } from "../engine/types.ts";
 import { say } from "./words.ts";
@@ -32,6 +32,17 @@ export function whyOf({ says, done, should }: JudgedEntry): string {
   return why === "" ? "" : `${why}.`;
 }
 
+/** What is said of a drawing in which nothing is wrong: only what is right is called right. `did` are its entries. */
+export function soFar({ entries, is_complete: isComplete }: BoardJudged, did: readonly Entry[]): string {
+  const stands = standing(did);
+  if (stands.length === 0) return say("list_none");
+  const unused = stands.filter((index) => entries[index]?.verdict === "unused");
+  if (unused.length === 0) return say(isComplete ? "all_right" : "right_so_far");
+  const numbers = unused.map((index) => stands.indexOf(index) + 1).join(", ");
+  const others = isComplete ? [say("all_there")] : unused.length < stands.length ? [say("others_right")] : [];
+  return [say("leads_nowhere", { numbers, count: unused.length }), ...others].join(" ");
+}
+
 export function judging(app: App, model: Model): Judging {
   const verdicts = signal<BoardJudged | null>(null);
   let stage = 0;
@@ -42,14 +53,15 @@ export function judging(app: App, model: Model): Judging {
   };
 
   const judge = newest(async (isAsked: boolean) => {
-    const of = seen();
+    const of = model.known.value;
+    if (of === null) return;
     try {
-      const judged = await app.engine.board_judge(app.solved.value.good, of);
-      if (of !== seen()) return;
+      const judged = await app.engine.board_judge(of.scene, of.drawing);
+      if (of !== model.known.value) return;
       verdicts.set(judged);
       const wrong = judged.first_wrong == null ? undefined : judged.entries[judged.first_wrong];
       if (wrong !== undefined) tell([say("first_wrong", { number: standing(model.drawing().did).indexOf(wrong.index) + 1 }), whyOf(wrong)].filter(Boolean).join(" – "), true);
-      else if (isAsked) tell(judged.is_complete ? say("all_right") : say("right_so_far"));
+      else if (isAsked || judged.entries.at(-1)?.verdict === "unused") tell(soFar(judged, model.drawing().did));
     } catch (refused) {
       tell(said(refused), true);
     }
@@ -61,7 +73,9 @@ export function judging(app: App, model: Model): Judging {
   let before = "";
   model.known.on(() => {
     // Of another drawing nothing is known, and of one with another head all; at once what the teacher lets be told at once.
-    const did = JSON.stringify([app.solved.value.good, model.drawing().did]);
+    const known = model.known.value;
+    if (known === null) return;
+    const did = JSON.stringify([known.scene, model.drawing().did]);
     if (did === before) return;
     before = did;
     stage = 0;
@@ -75,9 +89,11 @@ export function judging(app: App, model: Model): Judging {
     verdicts,
     check: () => judge.want(true),
     async hint() {
+      const known = model.known.value;
+      if (known === null) return;
       stage = Math.min(stage + 1, STAGES);
       try {
-        const hint = await app.engine.board_hint(app.solved.value.good, seen(), stage);
+        const hint = await app.engine.board_hint(known.scene, known.drawing, stage);
         model.head({ hints: (model.drawing().hints ?? 0) + 1 });
         if (hint.sheet != null && hint.ghost.length > 0) model.shown.set({ sheet: hint.sheet, ghost: hint.ghost, kind: "hint" });
         tell(hint.words);
@@ -87,16 +103,20 @@ export function judging(app: App, model: Model): Judging {
     },
     save,
     async sheets() {
+      const known = model.known.value;
+      if (known === null) return;
       try {
-        const bytes = await app.engine.board_sheets(app.solved.value.good, seen(), model.drawing().exercise ?? "");
+        const bytes = await app.engine.board_sheets(known.scene, known.drawing, model.drawing().exercise ?? "");
         saveFile(`${name()}.pdf`, bytes, "application/pdf");
       } catch (refused) {
         tell(said(refused), true);
       }
     },
     async handIn() {
+      const known = model.known.value;
+      if (known === null) return;
       try {
-        const form = await app.engine.board_form(app.solved.value.good, seen());
+        const form = await app.engine.board_form(known.scene, known.drawing);
         app.history.change({ form });
         if (model.use().mode === "exam") save();
         tell(say("handed_in"));

@@ -38,8 +38,9 @@ export function list(model: Model, judging: Judging): HTMLElement {
       const sign = verdict === undefined || !entry.stands ? null : element("span", { class: "sign", role: "img", "aria-label": say(`is_${verdict.verdict}`) }, SIGNS[verdict.verdict]);
       const head = element("button", { type: "button", "data-entry": index, "aria-pressed": String(index === chosen), onclick: () => choose(index) }, element("span", { class: "number" }, entry.stands ? String(numbers.indexOf(index) + 1) : ""), element("span", { class: "what" }, entry.words), sign);
       const more = isFirst || (verdict?.verdict === "wrong" && index === chosen) ? element("p", { class: "why" }, verdict === undefined ? "" : whyOf(verdict)) : null;
+      const nowhere = verdict?.verdict === "unused" && entry.stands ? element("p", { class: "nowhere" }, say("is_unused")) : null;
       const back = index === chosen && !isLooking ? element("button", { type: "button", class: "back-to", onclick: () => void model.inTurn(() => model.undoFrom(index)) }, say("back_to_here")) : null;
-      return [element("li", { class: `${verdict?.verdict ?? ""}${entry.stands ? "" : " undone"}${isFirst ? " first" : ""}` }, head, more, back)];
+      return [element("li", { class: `${verdict?.verdict ?? ""}${entry.stands ? "" : " undone"}${isFirst ? " first" : ""}` }, head, more, nowhere, back)];
     });
     none.hidden = rows.length > 0;
     items.replaceChildren(...rows);

@@ -4,6 +4,7 @@ import { said } from "../refused.ts";
 import { DRAWN_ON, type Sheet } from "../sheets.ts";
 import { newest } from "../state/newest.ts";
 import { signal, type Signal } from "../state/signal.ts";
+import { goodText } from "../state/solving.ts";
 import type { BoardUse } from "../state/address.ts";
 import { begunWith, useOf } from "./begun.ts";
 import { drawingOf, drawingText, standing, type Drawing, type Entry } from "./file.ts";
@@ -19,9 +20,14 @@ export interface Shown {
   kind: "hint" | "entry";
 }
 
+/** What the engine says of the drawing, and the scene of which it says that: only of this one more can be asked. */
+export interface Known extends Board {
+  readonly scene: string;
+}
+
 export interface Model {
   /** What the engine says of the drawing; null before it has said anything. */
-  readonly known: Signal<Board | null>;
+  readonly known: Signal<Known | null>;
   readonly tool: Signal<Tool>;
   /** The entry under way. */
   readonly has: Signal<Entry>;
@@ -72,7 +78,7 @@ export interface Model {
 const NAMELESS = "?";
 
 export function model(app: App): Model {
-  const known = signal<Board | null>(null);
+  const known = signal<Known | null>(null);
   const tool = signal<Tool>("lay_off");
   const has = signal<Entry>(begun("lay_off"));
   const says = signal({ text: "", isBad: false });
@@ -94,8 +100,8 @@ export function model(app: App): Model {
   const drawing = (): Drawing => drawingOf(known.value?.drawing ?? text()) ?? { kinegon_drawing: 1, did: [] };
   const use = (): BoardUse => useOf(app);
 
-  function show(next: Board): void {
-    known.set(next);
+  function show(next: Board, scene: string): void {
+    known.set({ ...next, scene });
     canUndo.set(standing(drawing().did).length > 0);
     canRedo.set(undone.length > 0);
   }
@@ -108,10 +114,11 @@ export function model(app: App): Model {
   }
 
   const asking = newest(async (of: string) => {
-    if (scene() === "") return;
+    const good = scene();
+    if (good === "") return;
     try {
-      const found = await app.engine.board(scene(), of);
-      show(of === "" ? await app.engine.board(scene(), begunWith(app, found.drawing)) : found);
+      const found = await app.engine.board(good, of);
+      show(of === "" ? await app.engine.board(good, begunWith(app, found.drawing)) : found, good);
       // Of a file that somebody brings: what is beyond stands there, and is not drawn.
       if (found.refused !== null) says.set({ text: `${found.refused.entry + 1}: ${found.refused.message}`, isBad: true });
     } catch (refused) {
@@ -121,18 +128,19 @@ export function model(app: App): Model {
 
   /** Puts the drawing with more entries in place of this one, unless the engine refuses the last of them. */
   async function put(entries: Entry[]): Promise<boolean> {
-    if (looked.value !== null) return false;
+    const of = known.value;
+    if (looked.value !== null || of === null) return false;
     const now = drawing();
     const t = Math.max(0, Math.round(performance.now() - opened));
     const next = drawingText({ ...now, did: [...now.did, ...entries.map((entry) => ({ ...entry, t }))] });
     try {
-      const found = await app.engine.board(scene(), next);
+      const found = await app.engine.board(of.scene, next);
       if (found.refused !== null && found.refused.entry >= now.did.length) {
         says.set({ text: found.refused.message, isBad: true });
         return false;
       }
       until.set(null);
-      show(found);
+      show(found, of.scene);
       app.history.draw(found.drawing);
       return true;
     } catch (refused) {
@@ -202,7 +210,7 @@ export function model(app: App): Model {
       wantsSense.set(false);
       between.set([]);
       tool.set(next);
-      has.set(begun(next, has.value));
+      has.set(begun(next));
       own.shown.set(null);
       says.set({ text: say(`how_${next}`), isBad: false });
     },
@@ -239,9 +247,10 @@ export function model(app: App): Model {
     async open(next) {
       if (drawingOf(next) === null) return false;
       try {
-        const found = await app.engine.board(scene(), next);
+        const good = await goodText(app);
+        const found = await app.engine.board(good, next);
         replace();
-        show(found);
+        show(found, good);
         app.history.draw(found.drawing);
         return true;
       } catch (refused) {
@@ -276,7 +285,9 @@ export function model(app: App): Model {
   // Another drawing, or another scene.
   let last = "";
   const follow = (): void => {
-    if (!app.drawing.value || scene() === "") return;
+    if (!app.drawing.value) return;
+    const { refused } = app.solved.value;
+    if (scene() === "") return void (refused !== null && says.set({ text: said(refused), isBad: true }));
     const wanted = looked.value ?? text();
     const now = `${scene()}\n${wanted}`;
     if (now === last) return;

@@ -61,12 +61,13 @@ export function stage(app: App, model: Model, judging: Judging, sheet: Sheet): S
   }
 
   const picturing = newest(async () => {
-    const { good } = app.solved.value;
+    const known = model.known.value;
     const until = model.until.value;
-    if (good === "" || root.hidden || !app.drawing.value) return;
+    // Not every scene has every sheet.
+    if (known === null || size === null || root.hidden || !app.drawing.value) return;
     const letters = view.now.value.scale * PRINTED < READ ? READ / view.now.value.scale : null;
     try {
-      const picture = await app.engine.board_picture(good, model.pictured.value, { sheet, until, letters, judged: judging.verdicts.value !== null });
+      const picture = await app.engine.board_picture(known.scene, model.pictured.value, { sheet, until, letters, judged: judging.verdicts.value !== null });
       svg = withoutPaper(picture.svg);
       paint();
     } catch (refused) {
@@ -127,7 +128,7 @@ export function stage(app: App, model: Model, judging: Judging, sheet: Sheet): S
   function follow(): void {
     const next = model.known.value?.sheets.find((each) => each.sheet === sheet) ?? null;
     root.classList.toggle("missing", next === null);
-    if (next === null) return;
+    if (next === null) return void (size = null);
     scale.textContent = [next.scale, next.pole === null ? null : model.known.value?.hand].filter(Boolean).join(" · ");
     if (size === null || size.width !== next.width || size.height !== next.height) view.fit([0, 0, next.width, next.height]);
     size = next;

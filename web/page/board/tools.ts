@@ -140,7 +140,7 @@ export function turned(tool: Tool, entry: Entry): Entry {
   return slot === undefined ? entry : slot.set(entry, howOf(entry) === HOWS[0] ? HOWS[1] : HOWS[0]);
 }
 
-/** An entry of which nothing is said yet; what lies how to a direction is kept from the one before. */
+/** An entry of which nothing is said yet; how it lies to a direction is kept from the one before with the same tool. */
 export function begun(tool: Tool, before: Entry = {}): Entry {
   const how = tool === "line" || tool === "lay_off" ? { along: along(howOf(before)) } : {};
   return { [tool]: tool === "solve" ? [] : "", ...how };

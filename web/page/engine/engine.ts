@@ -2,7 +2,6 @@ import type {
   Board,
   BoardHint,
   BoardJudged,
-  BoardPicture,
   BoardPictureAsk,
   CheckOptions,
   Checked,
@@ -30,6 +29,7 @@ import type {
   Proposed,
   Pull,
   Running,
+  SheetPicture,
   Snapped,
   Tapped,
   Value,
@@ -95,7 +95,7 @@ export interface Engine {
   /** What a press at a place of a sheet adds to the entry under way, the nearest first. */
   board_snap(text: string, drawing: string, ask: Pressed): Snapped[];
   /** A sheet as it is after so many entries. */
-  board_picture(text: string, drawing: string, ask: BoardPictureAsk): BoardPicture;
+  board_picture(text: string, drawing: string, ask: BoardPictureAsk): SheetPicture;
   /** What is right and what is wrong, entry by entry. */
   board_judge(text: string, drawing: string): BoardJudged;
   /** What could come next: 1 where, 2 by which relation, 3 the operation itself. */

@@ -1287,9 +1287,9 @@ export interface Ghost {
   path: string;
 }
 /**
- * A sheet of a drawing.
+ * A sheet of paper.
  */
-export interface BoardPicture {
+export interface SheetPicture {
   /**
    * The picture; one unit of it is a millimetre of the sheet.
    */
@@ -1437,6 +1437,10 @@ export interface FormRow {
    */
   label: string;
   /**
+   * The velocity or acceleration that a segment of a plan is, in the same HTML; empty for what is none.
+   */
+  vector: string;
+  /**
    * The scene's unit of it.
    */
   unit: string;
@@ -1509,7 +1513,7 @@ export interface Checked {
   /**
    * The student's drawing over the right one, where it was asked for.
    */
-  overlays: OverlaySheet[];
+  overlays: SheetPicture[];
   /**
    * The page that `--feedback` writes for a browser, where it was asked for.
    */
@@ -1893,23 +1897,6 @@ export interface Fault {
   hint: string | null;
 }
 /**
- * A sheet.
- */
-export interface OverlaySheet {
-  /**
-   * The sheet.
-   */
-  svg: string;
-  /**
-   * Width in mm.
-   */
-  width: number;
-  /**
-   * Height in mm.
-   */
-  height: number;
-}
-/**
  * How a form is checked.
  */
 export interface CheckOptions {
@@ -1947,29 +1934,13 @@ export interface Exercise {
    */
   given: string[];
   /**
-   * The student's sheet: sheet.svg.
+   * The student's sheets, as `sheet.pdf` has them: what is given, then those for the plans.
    */
-  sheet: string;
-  /**
-   * Its width in mm.
-   */
-  width: number;
-  /**
-   * Its height in mm.
-   */
-  height: number;
+  sheets: SheetPicture[];
   /**
    * The teacher's key: key.svg.
    */
-  key: string;
-  /**
-   * Its width in mm.
-   */
-  key_width: number;
-  /**
-   * Its height in mm.
-   */
-  key_height: number;
+  key: SheetPicture;
   /**
    * The empty form: form.json.
    */

@@ -2,18 +2,17 @@ import type { App } from "../app.ts";
 import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import { sheetElement } from "../picture/sheet.ts";
+import { pagesFor } from "./pages.ts";
 
-/** Prints sheets at their true size: one on a page, without a margin of the browser's. */
+/** Prints sheets at their true size, each on a page of its own. */
 export function printer(): App["print"] {
   const place = byId("print");
   const style = element("style");
   document.head.append(style);
-  return (given, width, height) => {
-    const svgs = typeof given === "string" ? [given] : given;
-    // A little less than the page, which browsers round; else an empty one would follow. That is margin.
-    style.textContent = `@page { size: ${width}mm ${height}mm; margin: 0; } @media print { #print > * { width: ${width}mm; height: ${height - 0.5}mm; } }`;
+  return (sheets) => {
+    style.textContent = pagesFor(sheets);
     place.replaceChildren(
-      ...svgs.map((svg, index) => {
+      ...sheets.map(({ svg, width, height }, index) => {
         const root = sheetElement(svg, `print-${index}`, "");
         root.setAttribute("width", `${width}mm`);
         root.setAttribute("height", `${height}mm`);

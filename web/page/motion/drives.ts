@@ -3,7 +3,7 @@ import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import type { Drive } from "../engine/types.ts";
 import { say } from "../layout/words.ts";
-import { evaluated } from "../number.ts";
+import { measured } from "../units.ts";
 import { unitsOf } from "../panels/parts/scene.ts";
 import { REST, type Gesture, type Gestures } from "../picture/gesture.ts";
 import { language } from "../words.ts";
@@ -104,8 +104,8 @@ export function drives(app: Shown, gestures: Gestures, taken: () => void): Drive
 
   /** Drives to the value that was typed; what is none is put back. */
   function go({ drive, value }: Row): void {
-    const typed = evaluated(value.value.replace(/°.*$/, ""), app.solved.value.opened === null ? "" : unitsOf(app.solved.value.opened.scene).length);
-    if (typed === null || value.value === drive.shown) return void (value.value = drive.shown);
+    const typed = measured(value.value, drive.is_angle ? "°" : unitsOf(app.solved.value.opened?.scene ?? {}).length);
+    if (typeof typed !== "number" || value.value === drive.shown) return void (value.value = drive.shown);
     const { low, high } = drive;
     pull(drive, Math.min(Math.max(typed, low ?? -Infinity), high ?? Infinity));
     finish();

@@ -13,6 +13,19 @@ function whenTyped(app: Shown, text: string, act: () => void): void {
   });
 }
 
+/** The good text, as soon as there is one, for of a scene nothing can be asked before it is solved; rejects with why there is none. */
+export function goodText(app: Pick<Shown, "solved">): Promise<string> {
+  return new Promise((done, fail) => {
+    const end = app.solved.on(({ good, refused }) => {
+      if (good === "" && refused === null) return;
+      if (good === "") fail(refused);
+      else done(good);
+      // The first call comes before there is an end to it.
+      queueMicrotask(() => end());
+    });
+  });
+}
+
 /** Keeps `solved` that of the present text; while one text is being solved only the newest of the later ones waits. */
 export function solving(app: Shown): void {
   const solver = newest(async (text: string) => {

@@ -21,7 +21,7 @@ export interface FormFile extends Partial<Record<Scale, number>> {
   points?: Partial<Record<Sheet, Record<string, Place>>>;
 }
 
-/** A value for the hand: its digits, the unit beside it (null: the scene's), whether it is in mm of paper. */
+/** A value for the hand: its digits, perhaps with the unit that was typed behind them; the unit that was chosen beside it (null: the scene's); whether it is in mm of paper. */
 export interface Value {
   digits: string;
   unit: string | null;

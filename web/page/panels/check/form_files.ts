@@ -5,6 +5,7 @@ import { askedFor } from "../../files/open.ts";
 import { fileName, saveFile } from "../../files/save.ts";
 import { readFile, READABLE } from "../../layout/brought.ts";
 import type { Signal } from "../../state/signal.ts";
+import { goodText } from "../../state/solving.ts";
 import { language } from "../../words.ts";
 import { cleared, filledNames, type FormFile, formFile, formText } from "./form.ts";
 import { refusal } from "./refusal.ts";
@@ -43,7 +44,7 @@ export function formFiles(app: App, scheme: Signal<{ name: string; text: string 
     refuse("", null);
     if (/"kinegon_marks"\s*:/.test(text)) return scheme.set({ name, text });
     try {
-      const form = await app.engine.read_form(app.solved.value.good, text);
+      const form = await app.engine.read_form(await goodText(app), text);
       app.history.change({ form });
       const file = formFile(form);
       app.tell(say("opened", { name, count: file === null ? 0 : filledNames(file).length }));
@@ -59,7 +60,7 @@ export function formFiles(app: App, scheme: Signal<{ name: string; text: string 
 
   async function saveTable(): Promise<void> {
     try {
-      const table = await app.engine.write_form(app.solved.value.good, formText(present()));
+      const table = await app.engine.write_form(await goodText(app), formText(present()));
       saveFile(`${formName(app, present())}.csv`, table, "text/csv");
     } catch (why) {
       app.tell((why as Refused).message);

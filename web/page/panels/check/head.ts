@@ -1,6 +1,6 @@
 import { element } from "../../dom/element.ts";
 import { SHEETS, type Form, type FormRow } from "../../engine/types.ts";
-import { evaluated } from "../../number.ts";
+import { measured } from "../../units.ts";
 import { called, type Scale, scaleOf, type Sheet } from "../../sheets.ts";
 import { type FormFile, withHead } from "./form.ts";
 import { LATER } from "../parts/scene.ts";
@@ -35,8 +35,8 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
     const [unit, scale] = [unitOf(rows, sheet), scaleOf(sheet)];
     const input = element("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `${say("scales")}: ${unit}, ${called(sheet, "name")}` });
     input.oninput = () => {
-      const value = evaluated(input.value);
-      const isScale = value !== null && value > 0;
+      const value = measured(input.value, unit);
+      const isScale = typeof value === "number" && value > 0;
       input.setAttribute("aria-invalid", String(!isScale && input.value.trim() !== ""));
       if (isScale || input.value.trim() === "") change((file) => withHead(file, scale, isScale ? value : undefined), scale);
     };
@@ -70,7 +70,10 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
   function show(file: FormFile): void {
     for (const [key, input] of fields) {
       const text = String(file[key] ?? "");
-      const isSame = document.activeElement === input && (key === "name" ? input.value === text : evaluated(input.value) === file[key]);
+      const isSame = document.activeElement === input && (key === "name" ? input.value === text : measured(input.value, "") === file[key]);
+      // What is no scale stays there, marked, until there is another.
+      if (input.getAttribute("aria-invalid") === "true" && input.dataset["shown"] === text) continue;
+      input.dataset["shown"] = text;
       if (!isSame) input.value = text;
       if (key !== "name") input.setAttribute("aria-invalid", "false");
     }

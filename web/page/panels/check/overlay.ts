@@ -2,6 +2,7 @@ import type { App } from "../../app.ts";
 import type { Checked, Refused } from "../../engine/types.ts";
 import { instead } from "../../picture/instead.ts";
 import type { Signal } from "../../state/signal.ts";
+import { goodText } from "../../state/solving.ts";
 import { say } from "./words.ts";
 
 /** The student's drawing over the right one, in place of the picture. */
@@ -18,8 +19,8 @@ export interface Overlay {
 export function overlay(app: App, scheme: () => string | null): Overlay {
   const { isShown, show, hide } = instead(app, "check");
 
-  function drawn(): Promise<Checked> {
-    const { good } = app.solved.value;
+  async function drawn(): Promise<Checked> {
+    const good = await goodText(app);
     return app.engine.check(good, app.history.now.value.form, { marks: scheme(), pencil_mm: null, pencil_degrees: null, drawn: true });
   }
 

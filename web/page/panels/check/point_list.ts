@@ -1,6 +1,6 @@
 import { element } from "../../dom/element.ts";
 import type { PlanPoint } from "../../engine/types.ts";
-import { evaluated } from "../../number.ts";
+import { measured } from "../../units.ts";
 import type { Place } from "./form.ts";
 import { say } from "./words.ts";
 
@@ -57,7 +57,10 @@ function line(point: PlanPoint, isForeign: boolean, events: Events): Line {
   const remove = element("button", { type: "button", class: "remove", "aria-label": say("take_away", { name }) }, "×");
   remove.onclick = () => events.remove(point.name);
 
-  const numbers = (): (number | null)[] => fields.map((field) => evaluated(field.value));
+  const numbers = (): (number | null)[] => fields.map((field) => {
+    const value = measured(field.value, "mm");
+    return typeof value === "number" ? value : null;
+  });
 
   function typed(): void {
     const [x = null, y = null] = numbers();

@@ -4,7 +4,7 @@ import type { FormRow } from "../../engine/types.ts";
 import { type FormFile, type Value, valueOf } from "./form.ts";
 import { type Sense, sensed, signed } from "./sense.ts";
 import { senseButtons } from "./sense_buttons.ts";
-import { taken, unitsBeside } from "./units.ts";
+import { isFormula, taken, unitsBeside, withTyped } from "./units.ts";
 import { showVerdict, type Verdict } from "./verdict.ts";
 import { say } from "./words.ts";
 
@@ -19,8 +19,8 @@ export interface RowEvents {
 export interface Row {
   root: HTMLElement;
   input: HTMLInputElement;
-  /** Shows the value that the form has; `fromPoints` is what the marked points give where nothing is written. */
-  show(file: FormFile, fromPoints: string | null): void;
+  /** Shows the value that the form has; `fromPoints` is what the marked points give where nothing is written, `is` what a value with a unit comes to. */
+  show(file: FormFile, fromPoints: string | null, is: string | null): void;
   judge(verdict: Verdict | null): void;
 }
 
@@ -31,6 +31,11 @@ export function row(of: FormRow, events: RowEvents): Row {
   const id = `check-${(last += 1)}`;
   const label = element("label", { for: id, title: of.caption === "" ? "" : `${say("step", { step: of.step })}: ${of.caption}` });
   label.innerHTML = of.label;
+  if (of.vector !== "") {
+    const vector = element("small");
+    vector.innerHTML = of.vector;
+    label.append(element("span", { class: "unseen" }, " – "), vector);
+  }
   const name = label.textContent ?? of.name;
   const input = element("input", {
     id,
@@ -39,12 +44,13 @@ export function row(of: FormRow, events: RowEvents): Row {
     autocomplete: "off",
     spellcheck: "false",
     enterkeyhint: "next",
-    "aria-describedby": `${id}-verdict`,
+    "aria-describedby": `${id}-echo ${id}-verdict`,
   });
   const unit = element("select", { "aria-label": say("unit_of", { name }) });
   const paper = element("span", { class: "paper" }, say("mm"));
   const verdict = element("span", { class: "verdict", id: `${id}-verdict` });
   const note = element("span", { class: "note" });
+  const echo = element("span", { class: "echo", id: `${id}-echo` });
   let file: FormFile = { kinegon_measured: 1 };
   let chosen: Sense = "";
   const senses = of.has_sense ? senseButtons(name, of.turns, (sense) => ((chosen = sense), put(false))) : null;
@@ -55,9 +61,20 @@ export function row(of: FormRow, events: RowEvents): Row {
     const { size, sense } = sensed(typed.digits, of.turns, undefined);
     if (sense !== "") chosen = of.turns && file.positive === "clockwise" ? (sense === "+" ? "-" : "+") : sense;
     const digits = of.has_sense ? signed(size, chosen, of.turns, file.positive) : typed.digits;
-    const onPaper = typed.unit === null && unit.value === "/mu";
-    const beside = typed.unit ?? (unit.value === "" || onPaper ? null : unit.value);
-    return { digits, unit: beside === of.unit ? null : beside, onPaper };
+    // A typed unit belongs to what was typed; one that is chosen stays for what is typed next.
+    if (typed.unit !== null) return { digits: withTyped(digits, typed.unit), unit: null, onPaper: false };
+    if (unit.hidden || unit.value === "/mu") return { digits, unit: null, onPaper: !unit.hidden };
+    // Without a unit a segment is in mm of paper, where the form says so.
+    const isOwn = unit.value === "" && !(file.in === "mm" && of.is_segment);
+    return { digits, unit: isOwn ? null : unit.value || of.unit, onPaper: false };
+  }
+
+  /** What the value comes to, where it is not what stands there. */
+  function showEcho(is: string | null): void {
+    const { digits, unit: typed } = taken(input.value);
+    const isPaper = !paper.hidden && typed === null;
+    const ofFormula = isFormula(input.value) && typed === null ? (isPaper ? say("is_on_paper", { value: digits }) : `= ${digits}`) : null;
+    echo.textContent = ofFormula ?? is ?? "";
   }
 
   function put(isTyping: boolean): void {
@@ -73,14 +90,17 @@ export function row(of: FormRow, events: RowEvents): Row {
     unit.value = own.onPaper ? "/mu" : own.unit === null || own.unit === of.unit ? "" : own.unit;
   }
 
-  input.oninput = () => put(true);
+  input.oninput = () => {
+    put(true);
+    showEcho(null);
+  };
   input.onblur = () => {
     events.left(of.name);
-    show(file, note.textContent === "" ? null : input.placeholder);
+    show(file, note.textContent === "" ? null : input.placeholder, null);
   };
   unit.onchange = () => put(false);
 
-  function show(now: FormFile, fromPoints: string | null): void {
+  function show(now: FormFile, fromPoints: string | null, is: string | null): void {
     file = now;
     const own = valueOf(now, of.name);
     const { size, sense } = of.has_sense ? sensed(own.digits, of.turns, now.positive) : { size: own.digits, sense: "" as const };
@@ -90,9 +110,11 @@ export function row(of: FormRow, events: RowEvents): Row {
     if (!isSame || document.activeElement !== input) showUnits(own);
     // What points give is in the value's own unit.
     const isFromPoints = own.digits === "" && fromPoints !== null;
-    const isPaper = file.in === "mm" && of.is_segment && !own.onPaper && own.unit === null && !isFromPoints;
-    unit.hidden = isPaper;
+    const hasTyped = taken(own.digits).unit !== null;
+    const isPaper = file.in === "mm" && of.is_segment && !own.onPaper && own.unit === null && !isFromPoints && !hasTyped;
+    unit.hidden = isPaper || hasTyped;
     paper.hidden = !isPaper;
+    showEcho(is);
     senses?.show(own.digits === "" && chosen !== "" ? chosen : sense);
     input.placeholder = fromPoints ?? "";
     note.title = isFromPoints ? say("from_points") : "";
@@ -100,7 +122,7 @@ export function row(of: FormRow, events: RowEvents): Row {
   }
 
   return {
-    root: element("div", { class: "row" }, label, input, element("span", { class: "unit" }, unit, paper), ...(senses ? [senses.root] : []), note, verdict),
+    root: element("div", { class: "row" }, label, input, element("span", { class: "unit" }, unit, paper), ...(senses ? [senses.root] : []), note, echo, verdict),
     input,
     show,
     judge(found) {

@@ -77,13 +77,13 @@ export function rows(events: RowEvents & { remove(name: string): void }): Rows {
       off = [...reach.keys()].find((name) => ["off", "fault"].includes(judged.get(name)?.verdict?.kind ?? "")) ?? "";
       for (const [name, one] of all) {
         const own = judged.get(name);
-        one.show(file, own?.fromPoints ?? null);
+        one.show(file, own?.fromPoints ?? null, own?.is ?? null);
         one.judge(own?.verdict ?? null);
       }
       const unknown = filledNames(file).filter((name) => !reach.has(name));
       strays.hidden = unknown.length === 0;
       const legend = element("legend", {}, say("unknown"));
-      strays.replaceChildren(legend, ...unknown.map((name) => stray(name, judged.get(name) ?? { verdict: null, fromPoints: null })));
+      strays.replaceChildren(legend, ...unknown.map((name) => stray(name, judged.get(name) ?? { verdict: null, fromPoints: null, is: null })));
     },
     firstOff() {
       reach.get(off)?.();

@@ -39,13 +39,14 @@ export function taskPart(app: App): HTMLElement {
     const sheet = exercise;
     const title = element("h3", { id: "task-title" }, say("task", { name: sheet?.name ?? `${task.name}-${task.seed}-${task.number}` }));
     if (sheet === null) return root.replaceChildren(title, element("p", { class: why === "" ? "quiet" : "bad", role: "status" }, why === "" ? say("task_making") : why));
-    const picture = sheetElement(isDark.value ? forDark(sheet.sheet) : sheet.sheet, "task-sheet", say("task_sheet"));
-    const read = (): void => (large.isShown.value ? large.hide() : large.show({ svg: sheet.sheet, width: sheet.width, height: sheet.height }));
+    const front = sheet.sheets[0]!;
+    const picture = sheetElement(isDark.value ? forDark(front.svg) : front.svg, "task-sheet", say("task_sheet"));
+    const read = (): void => (large.isShown.value ? large.hide() : large.show(front));
     const reading = press(say(large.isShown.value ? "task_small" : "task_large"), read);
     const stamp = element("div", { class: "sheet" }, picture);
     stamp.onclick = read;
     const buttons = [
-      press(say("task_print"), () => app.print(sheet.sheet, sheet.width, sheet.height), "main"),
+      press(say("task_print"), () => app.print(sheet.sheets), "main"),
       press("PDF", () => void saved(app, task, sheet.name)),
       reading,
       ...(task.more ? [press(say("task_next"), () => void next(task))] : []),

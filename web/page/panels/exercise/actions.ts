@@ -1,8 +1,8 @@
 import type { App } from "../../app.ts";
 import { element } from "../../dom/element.ts";
 import type { Refused } from "../../engine/types.ts";
-import { copied } from "../../files/clipboard.ts";
 import { saveFile } from "../../files/save.ts";
+import { linkBox } from "../output/link.ts";
 import { boardChoice } from "./board_choice.ts";
 import { studentLink } from "./link.ts";
 import type { Made } from "./making.ts";
@@ -33,23 +33,16 @@ function file(app: App, { exercise, wanted }: Found, saying: Saying, ending: str
 /** What a teacher gives to the students: print, link, files. */
 export function forStudents(app: App, found: Found): HTMLElement {
   const { exercise } = found;
-  const box = (saying: Saying, checked: boolean): [HTMLElement, HTMLInputElement] => {
+  const tick = (saying: Saying, checked: boolean): [HTMLElement, HTMLInputElement] => {
     const input = element("input", { type: "checkbox", checked });
-    input.onchange = () => address.value !== "" && void link();
+    input.onchange = () => box.isGiven() && void link();
     return [element("label", { class: "tick" }, input, element("span", {}, say(saying))), input];
   };
-  const [stepsBox, steps] = box("allow_steps", false);
-  const [moreBox, more] = box("allow_more", true);
-  const board = boardChoice(() => address.value !== "" && void link());
-  const address = element("input", { type: "text", readonly: true, "aria-label": say("link_address"), hidden: true });
-  address.onfocus = () => address.select();
-  async function link(): Promise<void> {
-    address.value = await studentLink(app, exercise, found.wanted, { steps: steps.checked, more: more.checked, board: board.now() });
-    address.hidden = false;
-    const isCopied = await copied(address.value);
-    app.tell(say(isCopied ? "copied" : "not_copied"));
-    if (!isCopied) address.focus();
-  }
+  const [stepsBox, steps] = tick("allow_steps", false);
+  const [moreBox, more] = tick("allow_more", true);
+  const board = boardChoice(() => box.isGiven() && void link());
+  const box = linkBox(app);
+  const link = async (): Promise<void> => box.give(await studentLink(app, exercise, found.wanted, { steps: steps.checked, more: more.checked, board: board.now() }));
   return element(
     "section",
     {},
@@ -57,16 +50,16 @@ export function forStudents(app: App, found: Found): HTMLElement {
     element(
       "p",
       { class: "buttons" },
-      button(say("print"), () => app.print(exercise.sheet, exercise.width, exercise.height), true),
+      button(say("print"), () => app.print(exercise.sheets), true),
       button(say("link"), () => void link()),
       file(app, found, "sheet", "pdf", "sheet", "application/pdf"),
-      file(app, found, "sheet", "svg", exercise.sheet, "image/svg+xml"),
+      file(app, found, "sheet", "svg", exercise.sheets[0]?.svg ?? "", "image/svg+xml"),
       file(app, found, "form", "json", exercise.form, "application/json"),
       file(app, found, "form", "csv", exercise.form_csv, "text/csv"),
       file(app, found, "scene", "json", exercise.text, "application/json"),
     ),
     element("p", { class: "allowed" }, stepsBox, moreBox, board.root),
-    address,
+    ...box.root,
     element("p", { class: "quiet" }, say("print_hint")),
     element("p", { class: "quiet" }, say("link_hint")),
   );
@@ -87,9 +80,9 @@ export function forTeacher(app: App, found: Found, key: HTMLElement): HTMLElemen
         app.history.change({ text: exercise.text, form: "", drawing: "" });
         app.tell(say("opened", { name: exercise.name }));
       }),
-      button(say("print_key"), () => app.print(exercise.key, exercise.key_width, exercise.key_height)),
+      button(say("print_key"), () => app.print([exercise.key])),
       file(app, found, "key", "pdf", "key", "application/pdf"),
-      file(app, found, "key", "svg", exercise.key, "image/svg+xml"),
+      file(app, found, "key", "svg", exercise.key.svg, "image/svg+xml"),
       file(app, found, "key_values", "json", exercise.key_values, "application/json"),
     ),
     key,

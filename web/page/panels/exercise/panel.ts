@@ -26,7 +26,7 @@ function mount(root: HTMLElement, app: App): void {
   largeButton.onclick = () => {
     const { exercise } = made.value;
     if (large.isShown.value) large.hide();
-    else if (exercise !== null) large.show({ svg: exercise.sheet, width: exercise.width, height: exercise.height });
+    else if (exercise !== null) large.show(exercise.sheets[0]!);
   };
   const actions = element("div", { class: "actions" });
   root.append(intro, fields.root, element("p", { class: "made" }, status, largeButton), sheet, actions);
@@ -51,7 +51,7 @@ function mount(root: HTMLElement, app: App): void {
     const place = element("div", { class: "sheet" });
     const details = element("details", {}, element("summary", {}, say("show_key")), place);
     details.ontoggle = () => {
-      if (details.open) place.replaceChildren(picture(exercise.key, "exercise-key", say("key_of", { name: exercise.name })));
+      if (details.open) place.replaceChildren(picture(exercise.key.svg, "exercise-key", say("key_of", { name: exercise.name })));
     };
     return details;
   }
@@ -67,8 +67,8 @@ function mount(root: HTMLElement, app: App): void {
       actions.replaceChildren();
       return;
     }
-    sheet.replaceChildren(picture(exercise.sheet, "exercise-sheet", say("sheet_of", { name: exercise.name })));
-    if (large.isShown.value) large.show({ svg: exercise.sheet, width: exercise.width, height: exercise.height });
+    sheet.replaceChildren(picture(exercise.sheets[0]!.svg, "exercise-sheet", say("sheet_of", { name: exercise.name })));
+    if (large.isShown.value) large.show(exercise.sheets[0]!);
     actions.replaceChildren(forStudents(app, { exercise, wanted }), forTeacher(app, { exercise, wanted }, keyOf(exercise)));
   }
 

@@ -26,7 +26,7 @@ export function restOfDrive(scene: Draft, path: Path, name: string): Row {
 function turning(scene: Draft, path: Path): Field[] {
   const inTurns = at(scene, [...path, "rpm"]) !== undefined;
   const angle: Field = { kind: "number", path: [...path, "angle"], label: say("angle"), symbol: "∠", unit: "°", step: 1, usual: "–" };
-  const speed: Field = { kind: "number", path: [...path, inTurns ? "rpm" : "omega"], label: say("speed"), symbol: inTurns ? "n" : "ω", unit: "", step: inTurns ? 5 : 0.5, needed: true };
+  const speed: Field = { kind: "number", path: [...path, inTurns ? "rpm" : "omega"], label: say("speed"), symbol: inTurns ? "n" : "ω", unit: "", means: inTurns ? "rpm" : unitsOf(scene).omega, step: inTurns ? 5 : 0.5, needed: true };
   const unit: Field = {
     kind: "choice",
     path: [...path, "rpm"],

@@ -116,7 +116,7 @@ function ends(scene: Draft, slider: Path, index: number): Row[] {
   if (isDrawn(scene)) return [];
   const path: Path = [...slider, "travel"];
   if (at(scene, path) === undefined) return [{ path, fields: [], buttons: [{ text: say("travel"), icon: "plus", ask: { do: "travel", with: [String(index)] } }] }];
-  const fields = (["travel_from", "travel_to"] as const).map((label, end): Field => ({ kind: "number", path: [...path, end], label: say(label), unit: end === 0 ? "" : unitsOf(scene).length, step: stepFor(sizeOf(scene)), needed: true }));
+  const fields = (["travel_from", "travel_to"] as const).map((label, end): Field => ({ kind: "number", path: [...path, end], label: say(label), unit: end === 0 ? "" : unitsOf(scene).length, means: unitsOf(scene).length, step: stepFor(sizeOf(scene)), needed: true }));
   return [{ label: say("travel"), path, fields, buttons: [{ text: say("drop_travel", { name: index + 1 }), icon: "remove", edits: [{ remove: path }] }] }];
 }
 

@@ -17,7 +17,7 @@ export function vectorFields(scene: unknown, path: Path, unit: string, step: num
 
 /** Fields of two coordinates. */
 export function placeFields(path: Path, unit: string, step: number): Field[] {
-  return ["x", "y"].map((label, index) => ({ kind: "number", path: [...path, index], label, unit: index === 0 ? "" : unit, step, needed: true }));
+  return ["x", "y"].map((label, index) => ({ kind: "number", path: [...path, index], label, unit: index === 0 ? "" : unit, means: unit, step, needed: true }));
 }
 
 /** Whether a vector is given by its components or by size and angle. */

@@ -1,5 +1,6 @@
 import type { App } from "../../app.ts";
 import type { FileRequest } from "../../engine/types.ts";
+import { goodText } from "../../state/solving.ts";
 import { png } from "./png.ts";
 
 /** What can be saved: what the engine writes, and pictures of pixels, which the browser makes. */
@@ -7,7 +8,7 @@ export type FileFormat = Exclude<FileRequest["format"], "outlines"> | "png";
 
 /** A file of the last good scene. */
 export async function fileOf(app: App, format: FileFormat, of: FileRequest["of"]): Promise<Uint8Array> {
-  const { good } = app.solved.value;
+  const good = await goodText(app);
   return format === "png" ? png(await app.engine.file(good, { format: "outlines", of })) : app.engine.file(good, { format, of });
 }
 

@@ -3,7 +3,8 @@ import { element } from "../../dom/element.ts";
 import { icon } from "../../dom/icon.ts";
 import { calmed } from "../../dom/piles.ts";
 import type { Edit } from "../../engine/types.ts";
-import { evaluated, shownNumber, stepped } from "../../number.ts";
+import { shownNumber, stepped } from "../../number.ts";
+import { measured } from "../../units.ts";
 import { edit } from "./edits.ts";
 import type { Adder, Ask, ChecksField, ChoiceField, Field, NameField, Names, NumberField, Option, PointsField, SwitchField, TextField } from "./form.ts";
 import { pinButton } from "./pin.ts";
@@ -262,12 +263,16 @@ export function nameInput(app: App, { of, name, label }: NameField): HTMLElement
 /** After how long without a letter a number counts as typed, in ms. */
 const PAUSE = 900;
 
-/** Hears of each letter at once, and of the pause after the last. */
+/** Who types on pauses for less, in ms: what stands there before is not taken for a number, for a unit may follow. */
+const BETWEEN_LETTERS = 250;
+
+/** Hears of the letters, as soon as they come no faster, and of the pause after the last. */
 export function typing(app: App, read: (isPaused: boolean) => void): { typed(): void; paused(): void } {
-  let clock = 0;
+  let [clock, letters] = [0, 0];
   const paused = (): void => {
     if (clock === 0) return;
     clearTimeout(clock);
+    clearTimeout(letters);
     clock = 0;
     read(true);
     app.typing.set(false);
@@ -275,9 +280,10 @@ export function typing(app: App, read: (isPaused: boolean) => void): { typed(): 
   return {
     typed() {
       clearTimeout(clock);
+      clearTimeout(letters);
       clock = window.setTimeout(paused, PAUSE);
+      letters = window.setTimeout(() => read(false), BETWEEN_LETTERS);
       app.typing.set(true);
-      read(false);
     },
     paused,
   };
@@ -287,11 +293,11 @@ export function typing(app: App, read: (isPaused: boolean) => void): { typed(): 
 const KEYS: Record<string, number> = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
 
 /**
- * A field for a number. Typing changes the scene at once, as far as it is a number; arrow keys and the wheel go by steps. What is typed
- * while it has the focus is one entry of undo.
+ * A field for a number. Typing changes the scene as soon as a number stands there, in whatever unit; arrow keys and the wheel go by steps. What
+ * is typed while it has the focus is one entry of undo. What cannot be read stays there, with why, and the scene is as it was before.
  */
 function numberInput(app: App, field: NumberField): Live {
-  const { path, unit, step } = field;
+  const { path, unit, step, means = unit } = field;
   const input = element("input", {
     type: "text",
     inputmode: "decimal",
@@ -303,6 +309,8 @@ function numberInput(app: App, field: NumberField): Live {
   const why = element("p", { class: "why", role: "alert", id: newId(), hidden: true });
   let gesture = newId();
   let given: number | undefined;
+  /** What the scene had before somebody typed. */
+  let before: number | undefined;
   let comma = false;
 
   const refuse = (message: string | null): void => {
@@ -313,7 +321,6 @@ function numberInput(app: App, field: NumberField): Live {
     else input.setAttribute("aria-describedby", why.id);
   };
   const take = (value: number | undefined): void => {
-    refuse(null);
     if (value === given) return;
     given = value;
     void edit(app, [put(path, value)], gesture);
@@ -321,15 +328,24 @@ function numberInput(app: App, field: NumberField): Live {
   /** Takes what stands there as far as it is a number; why it is none is said when nobody types any more. */
   const read = (isPaused: boolean): void => {
     const text = input.value.trim();
-    const value = evaluated(text, unit);
-    const why = text === "" && field.needed === true ? say("needed") : text !== "" && value === null ? say("unread") : value !== null && field.least !== undefined && value < field.least ? say("least", { least: field.least }) : null;
-    if (why === null) take(value ?? undefined);
-    else if (isPaused) refuse(why);
+    const value = text === "" ? undefined : measured(text, means);
+    const why = unreadable(value);
+    if (why === null || isPaused) refuse(why);
+    take(why === null ? (value as number | undefined) : before);
+  };
+  /** Why this is no value of the field; null where it is one. */
+  const unreadable = (value: ReturnType<typeof measured> | undefined): string | null => {
+    if (value === undefined) return field.needed === true ? say("needed") : null;
+    if (value === null) return say("unread");
+    if (typeof value === "object") return means === "" ? say("unread") : say("other_unit", { unit: value.unit, own: means });
+    return field.least !== undefined && value < field.least ? say("least", { least: field.least }) : null;
   };
   const go = (steps: number): void => {
-    const next = stepped(evaluated(input.value, unit) ?? given ?? 0, step, steps);
+    const now = measured(input.value, means);
+    const next = stepped(typeof now === "number" ? now : (given ?? 0), step, steps);
     const value = Math.max(next, field.least ?? -Infinity);
     input.value = shownNumber(value, comma);
+    refuse(null);
     take(value);
   };
   const revert = (): void => {
@@ -337,7 +353,11 @@ function numberInput(app: App, field: NumberField): Live {
     refuse(null);
   };
 
-  input.addEventListener("focus", () => (gesture = newId()));
+  const begin = (): void => {
+    gesture = newId();
+    if (!input.classList.contains("unread")) before = given;
+  };
+  input.addEventListener("focus", begin);
   const typist = typing(app, read);
   input.addEventListener("input", typist.typed);
   input.addEventListener("blur", () => (typist.paused(), input.classList.contains("unread") || revert()));
@@ -345,7 +365,7 @@ function numberInput(app: App, field: NumberField): Live {
     if (event.key === "Enter") typist.paused();
     const steps = (KEYS[event.key] ?? 0) * (event.shiftKey ? 10 : 1) * (event.altKey ? 0.1 : 1);
     if (steps !== 0) go(steps);
-    else if (event.key === "Enter") revert(), input.select(), (gesture = newId());
+    else if (event.key === "Enter") input.classList.contains("unread") || revert(), input.select(), begin();
     else if (event.key === "Escape" && input.classList.contains("unread")) revert();
     else return;
     event.preventDefault();
@@ -370,7 +390,7 @@ function numberInput(app: App, field: NumberField): Live {
       if (stays) return;
       given = next;
       // What is being typed stays as it is typed.
-      if (document.activeElement === input && next !== undefined && evaluated(input.value, unit) === next) return;
+      if (document.activeElement === input && next !== undefined && measured(input.value, means) === next) return;
       revert();
     },
   };

@@ -72,6 +72,8 @@ interface Named {
 export interface NumberField extends Named {
   kind: "number";
   unit: string;
+  /** Its unit, where that stands elsewhere than beside it. */
+  means?: string;
   /** How far one press of an arrow key goes. */
   step: number;
   /** Whether the scene needs it; emptying any other removes the key. */

@@ -1,7 +1,7 @@
 import type { App } from "../../app.ts";
 import { element } from "../../dom/element.ts";
 import { button, worded } from "../../dom/worded.ts";
-import type { FileRequest } from "../../engine/types.ts";
+import type { FileRequest, SheetPicture } from "../../engine/types.ts";
 import { said } from "../../refused.ts";
 import { signal, type Signal } from "../../state/signal.ts";
 import { language } from "../../words.ts";
@@ -24,10 +24,11 @@ export function print(app: App): HTMLElement {
   const preview = worded(element("div", { class: "preview", role: "group" }), () => say("preview"), "aria-label");
   const ruler = worded(element("p", { class: "quiet" }), () => say("ruler"));
   let sheets: string[] = [];
-  const press = button(() => say("print_now"), () => {
-    const [width, height] = sizeOf(sheets[0] ?? "");
-    app.print(sheets, width, height);
-  }, { class: "main" });
+  const sized = (svg: string): SheetPicture => {
+    const [width, height] = sizeOf(svg);
+    return { svg, width, height };
+  };
+  const press = button(() => say("print_now"), () => app.print(sheets.map(sized)), { class: "main" });
   keepCurrent(app, "save", [app.solved, app.view, what, language], async () => {
     const { good, opened } = app.solved.value;
     if (opened === null) return;

@@ -1,14 +1,10 @@
 import type { App } from "../../app.ts";
 import { element } from "../../dom/element.ts";
 import { button, worded } from "../../dom/worded.ts";
-import { copied } from "../../files/clipboard.ts";
-import { baseOf } from "../../state/address.ts";
+import { linkBox } from "../output/link.ts";
 import { saved, saveOfScene, stem } from "./files.ts";
 import { pageWith } from "./original.ts";
 import { say } from "./words.ts";
-
-/** Links beyond this many characters are cut by some mail programs and chats. */
-const LONG = 8000;
 
 /** Tables and results of the scene. */
 export function numbers(app: App): HTMLElement {
@@ -34,21 +30,7 @@ export function share(app: App): HTMLElement {
 
 /** The button that copies the link, and the link to copy by hand. */
 function linkOf(app: App): HTMLElement[] {
-  const address = element("input", { type: "text", readonly: true, hidden: true, onfocus: () => address.select() });
-  const warning = element("p", { class: "quiet", role: "status" });
-  async function copy(): Promise<void> {
-    const link = await app.link({ text: app.history.now.value.text, form: app.history.now.value.form, view: app.view.value });
-    const size = link.length;
-    address.value = link;
-    address.hidden = false;
-    address.setAttribute("aria-label", say("link_of", { size }));
-    const done = await copied(link);
-    if (!done) address.select();
-    app.tell(done ? say("link_copied", { size }) : say("link_not_copied"));
-    const warnings = [say("link_of", { size }) + "."];
-    if (size > LONG) warnings.push(say("link_long", { size }));
-    if (baseOf(location.href).startsWith("file:")) warnings.push(say("link_local"));
-    warning.textContent = warnings.join(" ");
-  }
-  return [element("div", { class: "tools" }, button(() => say("copy_link"), () => void copy())), address, warning];
+  const box = linkBox(app);
+  const copy = async (): Promise<void> => box.give(await app.link({ text: app.history.now.value.text, form: app.history.now.value.form, view: app.view.value }));
+  return [element("div", { class: "tools" }, button(() => say("copy_link"), () => void copy())), ...box.root];
 }
