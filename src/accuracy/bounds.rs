@@ -130,12 +130,12 @@ impl<'a> Bounds<'a> {
     fn is_as_written(&self, ball: Ball, value: f64) -> bool {
         // Only what the scene gives is so near to its f64.
         let is_near = ball.error_from(value) <= f64::EPSILON * value.abs();
-        is_near && self.scene.is_written(value) && ball == self.scene.as_written(value)
+        is_near && self.scene.is_written(value) && ball == self.scene.as_written_or_printed(value)
     }
 
     /// That of a number that the scene gives, or that a drive has been given since.
     fn of_given(&self, value: f64) -> f64 {
-        let written = self.scene.as_written(value);
+        let written = self.scene.as_written_or_printed(value);
         if self.scene.is_written(value) || written == Ball::decimal(value) { 0.0 } else { written.error_from(value) }
     }
 

@@ -155,6 +155,10 @@ impl Places for Loaded<'_> {
         self.places.given(number)
     }
 
+    fn rate(&self, rate: f64) -> Ball {
+        self.places.rate(rate)
+    }
+
     fn omega(&self, body: BodyId, omega: f64) -> Ball {
         self.places.omega(body, omega)
     }

@@ -26,9 +26,14 @@ pub(crate) struct Room {
 }
 
 impl Given<'_> {
-    /// A number of the scene, as it is written.
+    /// A number of the scene, as it is written; of a number that its text does not have, all that may be rounded to it.
     pub fn number(&self, x: f64) -> Ball {
         self.scene.as_written(x)
+    }
+
+    /// A number that the scene gives or that a drive has been given since, which then is what it is printed as.
+    pub fn chosen(&self, x: f64) -> Ball {
+        self.scene.as_written_or_printed(x)
     }
 
     /// A place or vector of the scene.
@@ -48,12 +53,12 @@ impl Given<'_> {
 
     /// Cosine and sine of the angles, in degrees, that a drive may have.
     pub fn driven_direction(&self, degrees: f64) -> Vector {
-        Pair::direction_of_degrees(self.number(degrees).widened(self.room.turned))
+        Pair::direction_of_degrees(self.chosen(degrees).widened(self.room.turned))
     }
 
     /// The positions that a pushed slider may have.
     pub fn driven_slide(&self, position: f64) -> Ball {
-        self.number(position).widened(self.room.pushed)
+        self.chosen(position).widened(self.room.pushed)
     }
 
     /// Cosine and sine of an angle of the scene, in degrees.
@@ -92,7 +97,7 @@ impl Given<'_> {
         let (rough, along) = slider.line();
         let Some(given) = self.scene.sliders.get(id.0) else {
             // The carriage of a given angle has guides along the axes.
-            return [self.vector(rough), along.into()];
+            return [self.vector(rough), Pair::within(along, 0.0)];
         };
         let point = |name: &String| self.mechanism.point(name).and_then(&local);
         let through = match (&given.through, &given.along) {
@@ -105,7 +110,7 @@ impl Given<'_> {
             Along::Direction(d) => Some(self.vector(*d).unit()),
             Along::Degrees(angle) => Some(self.direction(*angle)),
         };
-        let direction = direction.unwrap_or_else(|| along.into());
+        let direction = direction.unwrap_or_else(|| Pair::within(along, f64::INFINITY));
         let mut through = through.unwrap_or_default();
         if given.beside != 0.0 {
             through = through.plus_scaled(direction.quarter_turn(), -self.number(given.beside));
@@ -128,7 +133,7 @@ impl Given<'_> {
                     _ => turn,
                 }
             }
-            _ => slider.line().1.into(),
+            _ => Pair::within(slider.line().1, f64::INFINITY),
         }
     }
 
@@ -139,7 +144,7 @@ impl Given<'_> {
         // The mechanism may have been given another rate since.
         match drive.filter(|drive| drive.omega == omega).and_then(|drive| drive.rpm) {
             Some(rpm) => self.number(rpm) * radians_of_rpm(self.scene.units.time),
-            None => self.number(omega),
+            None => self.chosen(omega),
         }
     }
 }
@@ -149,7 +154,7 @@ impl Given<'_> {
 /// A `side` of zero is a link that counts as straight: its third point lies on the base, or so near to it, on either
 /// side, as the lengths allow. Lengths that fail to close by a rounding leave it as far from certain.
 fn corner(ab: Ball, ac: Ball, bc: Ball, side: f64) -> Vector {
-    let half = Ball::from(0.5);
+    let half = Ball::default().eighths(4);
     let x = half * (ab + (ac - bc) * (ac + bc) / ab);
     // Heron's formula. The factor that nearly vanishes comes from sums of neighbours, which lose nothing.
     let sixteen_squares = (ab + ac + bc) * ((ac - ab) + bc) * ((ab - ac) + bc) * ((ab - bc) + ac);
@@ -173,7 +178,7 @@ pub(super) struct Frame {
 impl Frame {
     /// No rotation and no translation.
     pub fn identity() -> Frame {
-        Frame { turn: Pair { x: Ball::from(1.0), y: Ball::default() }, origin: Vector::default() }
+        Frame { turn: Pair { x: Ball::from(1), y: Ball::default() }, origin: Vector::default() }
     }
 
     /// The placement with rotation `turn` that brings the point `local` to `place`.

@@ -2,6 +2,12 @@
 //! scene, finding the position and computing the motion have lost. They are distances from an enclosure of the true
 //! position and motion, computed with twice the digits.
 //!
+//! # Only balls enter
+//!
+//! A mechanism has rounded numbers: the direction of a guide, a wheel's constant angle. None of them may become a ball, and f64 has no
+//! conversion to one: the same numbers are found again from those of the scene (`given`), which are looked up in its text with all their
+//! digits. What is exact by choice, as the place from which Newton's method starts, says so by [`Ball::within`](crate::geometry::Ball::within).
+//!
 //! # A stated error is a distance
 //!
 //! `placed` takes the scene's numbers as balls with all their digits, and goes on from the f64 position with Newton steps

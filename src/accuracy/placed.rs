@@ -9,7 +9,7 @@ use super::given::{Frame, Given, Vector};
 use super::locals::Locals;
 use super::places::PlacesOf;
 use crate::geometry::{Ball, Numbers, Pair, RADIANS_PER_TURN};
-use crate::mechanism::{BodyId, Group, JointId, LoopEquations, PointId, Role, SliderId, Travel};
+use crate::mechanism::{BodyId, Constant, Group, JointId, LoopEquations, PointId, Role, SliderId, Travel};
 use crate::motion::Places;
 use crate::position::Pose;
 use crate::scene::GivenBy;
@@ -99,7 +99,8 @@ impl<'a> Finder<'a> {
         }
         let slide = |id: SliderId| {
             let position = mechanism.slider(id).drive.and_then(|drive| drive.position);
-            let found = || pose.slides.get(id.0).copied().flatten().unwrap_or(0.0).into();
+            // Where to begin: any place will do.
+            let found = || Ball::within(pose.slides.get(id.0).copied().flatten().unwrap_or(0.0), 0.0);
             position.map_or_else(found, |position| given.driven_slide(position))
         };
         let points = given.places();
@@ -211,7 +212,7 @@ impl<'a> Finder<'a> {
         // Cosine and sine of an unknown angle in the pose; none for a slide.
         let in_pose = |unknown: usize| {
             let axis = self.pose.axes.get(equations.link_of(unknown)?.0).copied().flatten()?;
-            Some(Vector::from(axis).unit())
+            Some(Vector::within(axis, 0.0).unit())
         };
         let mut angles: Vec<Option<Vector>> = (0..equations.unknowns).map(in_pose).collect();
         let mut before = f64::INFINITY;
@@ -268,10 +269,10 @@ impl<'a> Finder<'a> {
     fn correct(&mut self, equations: &LoopEquations, angles: &mut [Option<Vector>], correction: &[f64]) {
         for (angle, &step) in angles.iter_mut().zip(correction) {
             // The rotation by the arctangent of the correction.
-            *angle = angle.map(|turn| (turn + turn.quarter_turn() * step.into()).middle().unit());
+            *angle = angle.map(|turn| (turn + turn.quarter_turn() * Ball::within(step, 0.0)).middle().unit());
         }
         for &(id, unknown) in &equations.slides {
-            self.slides[id.0] = (self.slides[id.0] + correction[unknown].into()).middle();
+            self.slides[id.0] = (self.slides[id.0] + Ball::within(correction[unknown], 0.0)).middle();
             self.slid(id, correction[unknown]);
         }
     }
@@ -288,7 +289,7 @@ impl<'a> Finder<'a> {
             *angle = angle.map(|turn| turn.turned_slightly(step).widened(error));
         }
         for &(id, unknown) in &equations.slides {
-            self.slides[id.0] = (self.slides[id.0] + correction[unknown].into()).widened(errors[unknown]);
+            self.slides[id.0] = self.slides[id.0] + Ball::within(correction[unknown], errors[unknown]);
         }
     }
 
@@ -331,8 +332,9 @@ impl<'a> Finder<'a> {
             self.settle(at, to, &mut placed);
         }
         for angular in group.gears(self.given.mechanism) {
-            let constant = crate::geometry::Vector::new(angular.constant.re, angular.constant.im);
-            let mut left = Vector::from(constant).unit();
+            // Bodies that turn alike need no equation.
+            let Constant::Phase { times, degrees } = angular.constant else { return None };
+            let mut left = Pair::direction_of_degrees(self.given.number(degrees) * times.into());
             for &(body, weight) in &angular.terms {
                 let turn = self.turns[body.0].or(self.frames[body.0].map(|f| f.turn))?;
                 let back = if weight > 0 { turn.reversed() } else { turn };
@@ -351,8 +353,8 @@ impl<'a> Finder<'a> {
     fn travelled(&self, travel: &Travel) -> Ball {
         let slides = travel.slides.iter();
         let way =
-            slides.fold(-self.given.number(travel.start), |way, &(id, sign)| way + self.slides[id.0] * sign.into());
-        way * Ball::from(360.0) / (self.given.number(travel.radius) * RADIANS_PER_TURN)
+            slides.fold(-self.given.number(travel.start), |way, &(id, sign)| way + self.slides[id.0].signed(sign));
+        way * Ball::from(360) / (self.given.number(travel.radius) * RADIANS_PER_TURN)
     }
 
     /// Turns the bodies of the group: by unknown angles, and by what sliders make turn alike.

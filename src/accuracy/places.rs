@@ -28,8 +28,12 @@ impl Places for PlacesOf<'_> {
         self.given.number(number)
     }
 
+    fn rate(&self, rate: f64) -> Ball {
+        self.given.chosen(rate)
+    }
+
     fn omega(&self, body: BodyId, omega: f64) -> Ball {
         let is_driven = matches!(self.given.mechanism.body(body).role, Role::Driver { .. });
-        if is_driven { self.given.omega(body, omega) } else { self.given.number(omega) }
+        if is_driven { self.given.omega(body, omega) } else { self.given.chosen(omega) }
     }
 }

@@ -14,7 +14,7 @@ impl Bounds<'_> {
     #[must_use]
     pub fn center(&self, asked: &QuantityRequest) -> Option<Center> {
         let What::Pole(pole) = &asked.what else { return None };
-        let found = match self.enclosure()?.center(pole)? {
+        let found = match self.enclosure()?.center(pole, |x| self.scene.as_written(x))? {
             TrueCenter::At(ball) => {
                 // A pin is where the position has it. Any other place is rounded once: where links turn almost alike, numbers without bounds lose most digits.
                 let place = match &pole.of {
@@ -59,7 +59,7 @@ impl Bounds<'_> {
 
 impl Enclosure {
     /// The true centre of a pole that is one.
-    fn center(&self, pole: &Pole) -> Option<TrueCenter> {
+    fn center(&self, pole: &Pole, given: impl Fn(f64) -> Ball) -> Option<TrueCenter> {
         let PoleOf::Center(pair, permanent) = pole.of else { return None };
         match permanent {
             Some(Permanent::Pin(pin)) => {
@@ -67,7 +67,7 @@ impl Enclosure {
                 (place.x.is_known() && place.y.is_known()).then_some(TrueCenter::At(place))
             }
             Some(Permanent::Mesh(_)) => {
-                let place = pole.rolling?.point(|center| self.place(center), |guide| self.guide(guide), Ball::decimal);
+                let place = pole.rolling?.point(|center| self.place(center), |guide| self.guide(guide), given);
                 (place.x.is_known() && place.y.is_known()).then_some(TrueCenter::At(place))
             }
             Some(Permanent::Guide(slider)) => {
@@ -84,9 +84,9 @@ impl Enclosure {
     }
 
     /// The true place of a pole; `None` where it has none for certain.
-    pub(super) fn pole(&self, pole: &Pole) -> Option<Vector> {
+    pub(super) fn pole(&self, pole: &Pole, given: impl Fn(f64) -> Ball) -> Option<Vector> {
         match pole.of {
-            PoleOf::Center(..) => match self.center(pole)? {
+            PoleOf::Center(..) => match self.center(pole, given)? {
                 TrueCenter::At(place) => Some(place),
                 _ => None,
             },

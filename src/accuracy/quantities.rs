@@ -54,7 +54,7 @@ impl Bounds<'_> {
                         (TrueValue::Vector(v), Some(Component::Y)) => v.y,
                         (TrueValue::Vector(v), _) => v.dot(v).sqrt(),
                     };
-                    self.of_number(mu.map_or(number, |mu| number / mu.into()), value)
+                    self.of_number(mu.map_or(number, |mu| number / Ball::decimal(mu)), value)
                 })
             }
             (Quantity::Vector(value), _) => self.from(of, |truth| match truth {
@@ -83,7 +83,7 @@ impl Bounds<'_> {
             }
             What::Length(a, b) => {
                 let place = |spot: &Spot| match spot {
-                    Spot::Pole(pole) => e.pole(pole),
+                    Spot::Pole(pole) => e.pole(pole, |x| self.scene.as_written(x)),
                     _ => self.true_place(e, spot).map(|(_, place)| place),
                 };
                 let arm = place(b)? - place(a)?;
@@ -106,7 +106,7 @@ impl Bounds<'_> {
                 let way = corners.way(plan, self.mechanism)?;
                 TrueValue::Vector(way.read(self.mechanism, self.forces()?, &self.loaded(e))?)
             }
-            What::Pole(pole) => TrueValue::Vector(e.pole(pole)?),
+            What::Pole(pole) => TrueValue::Vector(e.pole(pole, |x| self.scene.as_written(x))?),
             What::InflectionDiameter(pole) => TrueValue::Number(e.diameter(pole)),
             What::PathRadius(spot) => {
                 let (body, place) = self.true_place(e, spot)?;

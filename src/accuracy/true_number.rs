@@ -4,11 +4,8 @@ use super::bounds::Bounds;
 use super::given::Vector;
 use super::quantities::TrueValue;
 use crate::construction::Rate;
-use crate::geometry::{Ball, Number};
+use crate::geometry::{Ball, DEGREES_PER_RADIAN, Number};
 use crate::quantity::{Component, QuantityRequest, What};
-
-/// Degrees in a radian.
-const DEGREES: f64 = 57.295_779_513_082_32;
 
 /// The true value of a quantity that is one number: of a vector its size.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +21,7 @@ impl TrueNumber {
     pub fn minus(self, other: TrueNumber) -> Ball {
         match (self, other) {
             (TrueNumber::Number(a), TrueNumber::Number(b)) => a - b,
-            (TrueNumber::Angle(a), TrueNumber::Angle(b)) => b.cross(a) / b.dot(a) * DEGREES.into(),
+            (TrueNumber::Angle(a), TrueNumber::Angle(b)) => b.cross(a) / b.dot(a) * DEGREES_PER_RADIAN,
             _ => Ball::default().widened(f64::INFINITY),
         }
     }

@@ -61,7 +61,7 @@ impl TrueCenter {
         let direction = to_the_right(rounded)?;
         let along = if rounded.dot(&direction) < 0.0 { -along } else { along };
         // The direction is printed by its components, and as an angle.
-        let across = along.cross(direction.into()).largest() / along.dot(along).sqrt().smallest();
+        let across = along.cross(Pair::within(direction, 0.0)).largest() / along.dot(along).sqrt().smallest();
         Some((
             direction,
             along.degrees_from(degrees_of(direction)).max(across.to_degrees() * (1.0 + 4.0 * UNIT_ROUNDOFF)),

@@ -64,6 +64,6 @@ impl<T: Number> Moved<T> {
     }
 
     fn one(&self) -> T {
-        self.omega.same(1.0)
+        self.omega.one()
     }
 }

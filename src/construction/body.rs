@@ -8,7 +8,7 @@ use super::operation::{Along, PlaceId};
 use super::plan::PointRole;
 use super::step::Action;
 use super::writer::Writer;
-use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
+use crate::geometry::{Pair, UNIT_ROUNDOFF, unit};
 use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, JointId, PointId, Role};
 use crate::sheet::Order;
 
@@ -100,7 +100,7 @@ impl Writer<'_> {
         let along = Along::given(unit(vector).unwrap_or_default());
         let place = self.lay_off(order, pole, vec![Product::plain(number)], along);
         let error = error + 8.0 * UNIT_ROUNDOFF * (vector.norm() + size);
-        self.construction.record.exact.places[place.0] = Pair::<Ball>::from(vector).widened(error);
+        self.construction.record.exact.places[place.0] = Pair::within(vector, error);
         place
     }
 

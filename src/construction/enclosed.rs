@@ -1,8 +1,8 @@
 //! A construction carried out on the true position and motion, each number with the bound of its error.
 
 use super::constructed::Construction;
-use super::number::{End, NumberId, NumberKind, Rate};
-use super::operation::{OperationKind, OperationRole};
+use super::number::{End, NumberId, NumberKind, Product, Rate};
+use super::operation::{Along, MeasuredAs, OperationKind, OperationRole, Reference};
 use super::run::Values;
 use crate::geometry::{Ball, Number, Pair};
 use crate::mechanism::{BodyId, PointId, SliderId};
@@ -30,7 +30,7 @@ impl Construction {
         // By place: the motion whose end it is.
         let mut ends = vec![None; values.places.len()];
         self.record.motions.iter().for_each(|(&motion, place)| ends[place.0] = Some(motion));
-        let origin = Pair { x: self.origin.x.into(), y: self.origin.y.into() };
+        let origin = Pair::within(self.origin.coords, 0.0);
         for operation in &self.operations {
             let kind = &operation.kind;
             match (kind, operation.role) {
@@ -48,7 +48,12 @@ impl Construction {
                         values.numbers[number.0] = self.taken(number, truth);
                     }
                 }
-                _ => values.run(kind, [0.0; 2], 1.0),
+                _ => {
+                    values.run(kind, [0.0; 2], 1.0);
+                    if has_rounded_numbers(kind) {
+                        values.forget(kind);
+                    }
+                }
             }
             if let (OperationRole::Guide(slider), Some(line)) = (operation.role, kind.line()) {
                 values.lines[line.0].1 = truth.guide(slider);
@@ -80,5 +85,38 @@ impl Construction {
     pub(crate) fn enclosed_segment(&self, values: &Values<Ball>, order: Order, ends: [&str; 2]) -> Option<Pair<Ball>> {
         let [from, to] = ends.map(|name| self.place(order, self.plan_name(order, name)));
         Some(values.places[to?.0] - values.places[from?.0])
+    }
+}
+
+/// Whether an operation has numbers of its own that are rounded, as a place plotted from the position in f64: nothing bounds how far
+/// these are from the true ones.
+fn has_rounded_numbers(kind: &OperationKind) -> bool {
+    let is_given = |along: &Along| matches!(along.reference, Reference::Given(_));
+    let is_rounded = |product: &Product| product.factor.trunc() != product.factor;
+    match kind {
+        OperationKind::Plot { .. } | OperationKind::ReadDirection { .. } => true,
+        OperationKind::Draw { along, .. } | OperationKind::LayOff { along, .. } => is_given(along),
+        OperationKind::Measure { how, .. } => matches!(how, MeasuredAs::Direction),
+        OperationKind::Compute { sum, .. } => sum.iter().any(is_rounded),
+        OperationKind::Solve { equations, .. } => equations.iter().any(|equation| {
+            let left = equation.left.iter().map(|(_, product)| product);
+            left.chain(&equation.right).any(is_rounded)
+        }),
+        _ => false,
+    }
+}
+
+impl Values<Ball> {
+    /// Leaves what an operation has made without bounds.
+    fn forget(&mut self, kind: &OperationKind) {
+        if let Some(place) = kind.place() {
+            self.places[place.0] = self.places[place.0].widened(f64::INFINITY);
+        }
+        if let Some(line) = kind.line() {
+            self.lines[line.0].1 = self.lines[line.0].1.widened(f64::INFINITY);
+        }
+        for number in kind.numbers() {
+            self.numbers[number.0] = self.numbers[number.0].widened(f64::INFINITY);
+        }
     }
 }

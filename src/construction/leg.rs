@@ -113,6 +113,7 @@ impl Writer<'_> {
     pub(super) fn angular_equation(&self, order: Order, terms: &AngularTerms) -> Option<Equation> {
         let (mut left, mut right) = (Vec::new(), Vec::new());
         for &(rate, weight) in &terms.rates {
+            let weight = f64::from(weight);
             match rate {
                 AngularRate::Unknown(unknown) => left.push((unknown, Product::new(ProductKind::Plain, weight, &[]))),
                 AngularRate::Known(body) => {

@@ -58,18 +58,29 @@ pub enum Change {
 }
 
 /// A number type in which a construction can be carried out.
-pub trait Drawable: Number + Default + From<f64> {
+pub trait Drawable: Number + Default {
+    /// A number that an operation has of itself: a place, a direction or a factor, as it is drawn.
+    fn own(number: f64) -> Self;
+
     /// The number, rounded to f64.
     fn rounded(self) -> f64;
 }
 
 impl Drawable for f64 {
+    fn own(number: f64) -> f64 {
+        number
+    }
+
     fn rounded(self) -> f64 {
         self
     }
 }
 
 impl Drawable for Ball {
+    fn own(number: f64) -> Ball {
+        Ball::within(number, 0.0)
+    }
+
     fn rounded(self) -> f64 {
         self.high
     }
@@ -192,7 +203,7 @@ impl<S: Drawable> Values<S> {
 
     /// Carries out one operation, with errors in millimetres or degrees; `per_mm` is the sheet's scale.
     pub(super) fn run(&mut self, kind: &OperationKind, errors: [f64; 2], per_mm: f64) {
-        let pair = |v: Vector| Pair { x: S::from(v.x), y: S::from(v.y) };
+        let pair = |v: Vector| Pair { x: S::own(v.x), y: S::own(v.y) };
         let offset = Vector::from(errors) * per_mm;
         match kind {
             OperationKind::Pole { place, at } => self.places[place.0] = pair(*at),
@@ -215,9 +226,9 @@ impl<S: Drawable> Values<S> {
                 let (through, along) = self.ruled(*line);
                 let (turn, aside) = if line.is_drawn_along() { (errors[1], 0.0) } else { (0.0, offset.y) };
                 let turn = turn_of_degrees(turn);
-                let along = Pair { x: S::from(turn.re), y: S::from(turn.im) }.turn(along);
+                let along = Pair { x: S::own(turn.re), y: S::own(turn.im) }.turn(along);
                 let size = increased((pair(*near) - through).dot(along), offset.x);
-                self.places[place.0] = through + along * size + along.quarter_turn() * S::from(aside);
+                self.places[place.0] = through + along * size + along.quarter_turn() * S::own(aside);
             }
             OperationKind::Divide { place, ends, like } => {
                 let [from, to] = ends.map(|PlaceId(end)| self.places[end]);
@@ -225,7 +236,7 @@ impl<S: Drawable> Values<S> {
                 let (line, arm) = (second - first, point - first);
                 let divided = from + (to - from) * (arm.dot(line) / line.dot(line));
                 let is_off = offset.x != 0.0;
-                self.places[place.0] = if is_off { divided + unit(to - from) * S::from(offset.x) } else { divided };
+                self.places[place.0] = if is_off { divided + unit(to - from) * S::own(offset.x) } else { divided };
             }
             OperationKind::LayOff { place, from, size, along } => {
                 let direction = self.direction(along, errors[0]);
@@ -238,14 +249,14 @@ impl<S: Drawable> Values<S> {
             OperationKind::ReadDirection { number, along } => {
                 let Pair { x, y } = self.direction(along, 0.0);
                 let degrees = degrees_of(Vector::new(x.rounded(), y.rounded())) + errors[0];
-                self.numbers[number.0] = S::from(without_sense(degrees, 0.0));
+                self.numbers[number.0] = S::own(without_sense(degrees, 0.0));
             }
-            OperationKind::Take { number, value } => self.numbers[number.0] = S::from(*value),
+            OperationKind::Take { number, value } => self.numbers[number.0] = S::own(*value),
             OperationKind::Compute { number, sum } => self.numbers[number.0] = self.sum(sum),
             OperationKind::Solve { unknowns, equations } => {
                 let rates = self.solved(equations);
                 for (index, number) in unknowns.iter().enumerate() {
-                    self.numbers[number.0] = rates.get(index).copied().unwrap_or(S::from(f64::NAN));
+                    self.numbers[number.0] = rates.get(index).copied().unwrap_or(S::own(f64::NAN));
                 }
             }
         }
@@ -259,8 +270,8 @@ impl<S: Drawable> Values<S> {
         };
         let place = |end: RuledEnd| match end {
             RuledEnd::Place(PlaceId(place)) => self.places[place],
-            RuledEnd::At(at) => Pair { x: S::from(at.x), y: S::from(at.y) },
-            RuledEnd::Towards(_) => Pair { x: S::from(f64::NAN), y: S::from(f64::NAN) },
+            RuledEnd::At(at) => Pair { x: S::own(at.x), y: S::own(at.y) },
+            RuledEnd::Towards(_) => Pair { x: S::own(f64::NAN), y: S::own(f64::NAN) },
         };
         match ends {
             [RuledEnd::Towards(along), end] | [end, RuledEnd::Towards(along)] => {
@@ -278,7 +289,7 @@ impl<S: Drawable> Values<S> {
             MeasuredAs::Along(LineId(line)) => length(vector.dot(self.lines[line].1)),
             MeasuredAs::X => length(vector.x),
             MeasuredAs::Y => length(vector.y),
-            MeasuredAs::Direction => S::from(degrees_of(Vector::new(vector.x.rounded(), vector.y.rounded())) + error),
+            MeasuredAs::Direction => S::own(degrees_of(Vector::new(vector.x.rounded(), vector.y.rounded())) + error),
         }
     }
 
@@ -290,7 +301,7 @@ impl<S: Drawable> Values<S> {
                 // The conjugate turns back.
                 base.turn(to).turn(Pair { x: from.x, y: -from.y })
             }
-            Reference::Given(direction) => Pair { x: S::from(direction.x), y: S::from(direction.y) },
+            Reference::Given(direction) => Pair { x: S::own(direction.x), y: S::own(direction.y) },
         };
         for _ in 0..along.quarter_turns {
             direction = direction.quarter_turn();
@@ -299,11 +310,11 @@ impl<S: Drawable> Values<S> {
             return direction;
         }
         let turn = turn_of_degrees(degrees);
-        Pair { x: S::from(turn.re), y: S::from(turn.im) }.turn(direction)
+        Pair { x: S::own(turn.re), y: S::own(turn.im) }.turn(direction)
     }
 
     fn product(&self, product: &Product) -> S {
-        product.of.iter().fold(S::from(product.factor), |all, &NumberId(number)| all * self.numbers[number])
+        product.of.iter().fold(S::own(product.factor), |all, &NumberId(number)| all * self.numbers[number])
     }
 
     fn sum(&self, sum: &[Product]) -> S {
@@ -370,7 +381,7 @@ const RIGHT: usize = 4;
 
 /// Adds an exact amount; for zero the number stays as it is, without a rounding.
 fn increased<S: Drawable>(number: S, by: f64) -> S {
-    if by == 0.0 { number } else { number + S::from(by) }
+    if by == 0.0 { number } else { number + S::own(by) }
 }
 
 fn displaced<S: Drawable>(place: Pair<S>, by: Vector) -> Pair<S> {
@@ -380,7 +391,7 @@ fn displaced<S: Drawable>(place: Pair<S>, by: Vector) -> Pair<S> {
 /// The unit vector in the same direction; NaN for the zero vector.
 fn unit<S: Drawable>(v: Pair<S>) -> Pair<S> {
     // Scaled first, so that the squares stay within the range of f64.
-    let largest = S::from(v.x.rounded().abs().max(v.y.rounded().abs()));
+    let largest = S::own(v.x.rounded().abs().max(v.y.rounded().abs()));
     let scaled = Pair { x: v.x / largest, y: v.y / largest };
     let size = scaled.dot(scaled).sqrt();
     Pair { x: scaled.x / size, y: scaled.y / size }

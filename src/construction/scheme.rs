@@ -31,7 +31,7 @@ impl Writer<'_> {
 
     /// A place of the scheme that is no joint, with the bound of its error.
     pub(super) fn plot_place(&mut self, role: OperationRole, at: Pair<Ball>) -> PlaceId {
-        self.plot_exact(Sheet::Scheme, role, at - Pair::<Ball>::from(self.construction.origin.coords))
+        self.plot_exact(Sheet::Scheme, role, at - Pair::within(self.construction.origin.coords, 0.0))
     }
 
     /// A place of a sheet, in its units, with the bound of its error.
@@ -96,7 +96,7 @@ impl Writer<'_> {
         };
         // The scene gives the direction itself; a join of rounded joints would be less exact.
         let error = guide_error(direction);
-        self.construction.record.exact.lines[line.0].1 = Pair::<Ball>::from(direction).widened(error);
+        self.construction.record.exact.lines[line.0].1 = Pair::within(direction, error);
         self.construction.record.guides.insert((sheet, id), line);
         line
     }

@@ -319,7 +319,7 @@ impl<'a> Writer<'a> {
     pub(super) fn take_computed(&mut self, rate: Rate, value: f64, error: f64) -> NumberId {
         let number = self.new_number(NumberKind::Rate(rate));
         self.push_by(false, rate.order(), OperationRole::Number, OperationKind::Take { number, value });
-        self.construction.record.exact.numbers[number.0] = Ball::from(value).widened(error);
+        self.construction.record.exact.numbers[number.0] = Ball::within(value, error);
         number
     }
 

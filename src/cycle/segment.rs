@@ -1,4 +1,4 @@
-use crate::geometry::{Lanes, MANY, Number, Pair, Row, UNIT_ROUNDOFF, Vector, portions, quarter_turn};
+use crate::geometry::{Floating, Lanes, MANY, Pair, Row, UNIT_ROUNDOFF, Vector, portions, quarter_turn};
 use crate::kernel::{Block, Kernel, Single, Unknown, unit, vector};
 
 /// A position on the path, with its rates for a unit rate of the drive.
@@ -58,7 +58,7 @@ pub fn quintic([f0, d0, e0]: [f64; 3], [f1, d1, e1]: [f64; 3]) -> Quintic {
 }
 
 #[inline(always)]
-fn value<T: Number>(q: &Quintic, x: T) -> T {
+fn value<T: Floating>(q: &Quintic, x: T) -> T {
     let [rest @ .., last] = q;
     let mut sum = x.same(*last);
     for coefficient in rest.iter().rev() {

@@ -110,10 +110,7 @@ impl Grip {
     pub(crate) fn tangent(self) -> f64 {
         match self {
             Grip::Coefficient(tangent) => tangent,
-            Grip::Angle(angle) => {
-                let line = Pair::direction_of_degrees(Ball::decimal(angle));
-                line.y.high / line.x.high
-            }
+            Grip::Angle(angle) => angle.tangent_and_sine()[0],
         }
     }
 
@@ -121,7 +118,7 @@ impl Grip {
     pub(crate) fn sine(self) -> f64 {
         match self {
             Grip::Coefficient(tangent) => tangent / (1.0 + tangent * tangent).sqrt(),
-            Grip::Angle(angle) => Pair::direction_of_degrees(Ball::decimal(angle)).y.high,
+            Grip::Angle(angle) => angle.tangent_and_sine()[1],
         }
     }
 
@@ -130,12 +127,9 @@ impl Grip {
         match self {
             Grip::Coefficient(coefficient) => {
                 let tangent = posed.given(coefficient);
-                [tangent, tangent / (N::from(1.0) + tangent * tangent).sqrt()]
+                [tangent, tangent / (N::from(1) + tangent * tangent).sqrt()]
             }
-            Grip::Angle(angle) => {
-                let line = Pair::direction_of_degrees(Ball::decimal(angle));
-                [N::of_ball(line.y / line.x), N::of_ball(line.y)]
-            }
+            Grip::Angle(angle) => posed.given(angle).tangent_and_sine(),
         }
     }
 }
@@ -388,7 +382,7 @@ impl<N: Counted, P: Posed<N>> Here<'_, P, N> {
             Changing::Angle(link) => self.posed.axis(link).map(N::degrees)?,
             Changing::Position(slider) => self.posed.slide_position(slider)?,
         };
-        Some(at.factor(over))
+        Some(at.factor(over, |number| self.posed.given(number)))
     }
 
     /// What a spring does to both its ends.

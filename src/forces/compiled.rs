@@ -209,11 +209,11 @@ impl<P: Posed<N>, N: Quick> Here<'_, P, N> {
                 Along::Guide(slider) => self.posed.guide(slider),
             };
             let own = &mut matrix[term.row * cuts + term.cut];
-            *own = own.plus_scaled(vector, term.sign.into());
+            *own = own.plus_scaled(vector, N::from(if term.sign < 0.0 { -1 } else { 1 }));
         }
         let forces = match *matrix {
             [first, second] => {
-                let whole = N::from(1.0) / first.cross(second);
+                let whole = N::from(1) / first.cross(second);
                 smallvec![(second * right[0] - first * right[1]).quarter_turn() * whole]
             }
             _ => N::cut_forces(cuts, &matrix, right)?,

@@ -4,7 +4,7 @@ use super::acting::{LoadList, Wrench, about};
 use super::carried::{Carried, Forces};
 use super::friction::{Resisting, as_loads, resisting};
 use super::{Counted, Posed};
-use crate::geometry::{Ball, Equations, Pair};
+use crate::geometry::{Equations, Pair};
 use crate::mechanism::{BodyId, GROUND, Joint, JointId, Mechanism, Role, Rolling};
 use smallvec::{SmallVec, smallvec};
 
@@ -313,17 +313,17 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
             Rolling::Wheels(pitch) => {
                 let [first, second] = pitch.centers.map(|center| self.posed.place(center));
                 let way = second - first;
-                let outwards = way * (N::from(1.0) / way.dot(way).sqrt());
+                let outwards = way * (N::from(1) / way.dot(way).sqrt());
                 let has_ring = pitch.teeth.iter().any(|teeth| *teeth < 0);
                 (outwards, if has_ring { outwards } else { -outwards }, pitch.pressure_deg)
             }
             Rolling::Rack(rack) => {
-                let outwards = self.posed.guide(rack.slider).quarter_turn() * N::from(-rack.side);
+                let outwards =
+                    self.posed.guide(rack.slider).quarter_turn() * N::from(if rack.side < 0.0 { 1 } else { -1 });
                 (outwards, if rack.wheel == 0 { -outwards } else { outwards }, rack.pressure_deg)
             }
         };
-        let line = Pair::direction_of_degrees(Ball::decimal(pressure));
-        let slope = (pressure > 0.0).then(|| N::of_ball(line.y / line.x));
+        let slope = (pressure > 0.0).then(|| self.posed.given(pressure).tangent_and_sine()[0]);
         Some(Tooth { at, tangent: outwards.quarter_turn(), apart, slope, push: Pair::default() })
     }
 
@@ -332,7 +332,7 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
         let joint = self.mechanism.joint(id);
         let mut parts: SmallVec<[Part<N>; 3]> = SmallVec::new();
         if joint.pin.is_some() {
-            let [one, none] = [1.0, 0.0].map(N::from);
+            let [one, none] = [1, 0].map(N::from);
             parts.push(Part::Pin(Pair { x: one, y: none }, none));
             parts.push(Part::Pin(Pair { x: none, y: one }, none));
         }
@@ -353,13 +353,13 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
 
     /// What an unknown of size 1 does to which bodies.
     fn acts(&self, unknown: Unknown<N>) -> SmallVec<[(BodyId, Wrench<N>); 3]> {
-        let couple = |weight: f64| Wrench { force: Pair::default(), moment: weight.into() };
+        let couple = |weight: i32| Wrench { force: Pair::default(), moment: weight.into() };
         match unknown {
-            Unknown::Torque(body) => smallvec![(body, couple(1.0)), (GROUND, couple(-1.0))],
+            Unknown::Torque(body) => smallvec![(body, couple(1)), (GROUND, couple(-1))],
             Unknown::Joint(joint, Part::Couple) => {
                 let angular = self.mechanism.joint(joint).angular.iter();
                 let terms = angular.flat_map(|angular| &angular.terms);
-                terms.map(|&(body, weight)| (body, couple(f64::from(weight)))).collect()
+                terms.map(|&(body, weight)| (body, couple(weight))).collect()
             }
             Unknown::Joint(joint, Part::Tooth(Tooth { at, tangent, push, .. })) => {
                 self.on_both(joint, at, -(tangent + push), N::default())

@@ -15,8 +15,8 @@ use super::{Counted, Posed};
 use crate::geometry::{Ball, Pair, Solvable};
 use crate::mechanism::{GROUND, JointId, Mechanism};
 
-/// Rates below this part of the largest are none: what is left of zero by rounding.
-const AT_REST: f64 = 1e-10;
+/// Rates below the largest over the square of this are none: what is left of zero by rounding.
+const AT_REST: i32 = 100_000;
 
 /// What resists the motion of a joint's second body against its first.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +42,8 @@ pub(super) fn resisting<N: Counted>(
         mechanism.joint(id).bodies.map(|body| posed.rates(body, at))
     };
     let all = || mechanism.joint_ids().filter(|&id| mechanism.joint(id).holds_places()).flat_map(rates);
-    let least = |rates: &mut dyn Iterator<Item = N>| rates.fold(N::default(), N::larger) * N::from(AT_REST);
+    let least =
+        |rates: &mut dyn Iterator<Item = N>| rates.fold(N::default(), N::larger) / N::from(AT_REST) / N::from(AT_REST);
     let least_speed = least(&mut all().map(|(velocity, _)| size(velocity)));
     let least_omega = least(&mut all().map(|(_, omega)| omega.larger(-omega)));
     let mut found = vec![None; mechanism.joints.len()];

@@ -84,8 +84,10 @@ pub(crate) trait Counted: Solvable {
     fn of_ball(ball: Ball) -> Self;
     /// The direction of a vector in degrees.
     fn degrees(axis: Pair<Self>) -> Self;
-    /// How often a load acts at this place of its table.
-    fn factor(self, over: &Over) -> Self;
+    /// How often a load acts at this place of its table; `given` makes such a number of one of the table.
+    fn factor(self, over: &Over, given: impl Fn(f64) -> Self) -> Self;
+    /// Tangent and sine of an angle in degrees.
+    fn tangent_and_sine(self) -> [Self; 2];
     /// 1 or −1 by its sign; 0 up to the size `least`. A number that may be smaller, or have either sign, has all from −1 to 1.
     fn sense(self, least: Self) -> Self;
     /// The unit vector along a vector, without its bounds; none of what is zero.
@@ -118,21 +120,26 @@ impl Counted for Ball {
 
     fn degrees(axis: Pair<Ball>) -> Ball {
         let degrees = degrees_of(axis.rounded());
-        Ball::from(degrees).widened(axis.degrees_from(degrees))
+        Ball::within(degrees, axis.degrees_from(degrees))
     }
 
-    fn factor(self, over: &Over) -> Ball {
-        over.at(self)
+    fn factor(self, over: &Over, given: impl Fn(f64) -> Ball) -> Ball {
+        over.at(self, given)
+    }
+
+    fn tangent_and_sine(self) -> [Ball; 2] {
+        let line = Pair::direction_of_degrees(self);
+        [line.y / line.x, line.y]
     }
 
     fn sense(self, least: Ball) -> Ball {
         let is_certain = self.smallest() > least.largest();
-        if is_certain { Ball::from(self.high.signum()) } else { Ball { radius: 1.0, ..Ball::default() } }
+        if is_certain { Ball::from(1).signed(self.high) } else { Ball { radius: 1.0, ..Ball::default() } }
     }
 
     fn way(vector: Pair<Ball>) -> Pair<Ball> {
         let size = vector.dot(vector).sqrt();
-        let way = if size.smallest() > 0.0 { vector * (Ball::from(1.0) / size) } else { Pair::default() };
+        let way = if size.smallest() > 0.0 { vector * (Ball::from(1) / size) } else { Pair::default() };
         Pair { x: way.x.middle(), y: way.y.middle() }
     }
 
@@ -175,8 +182,12 @@ impl Counted for f64 {
         degrees_of(Vector::new(axis.x, axis.y))
     }
 
-    fn factor(self, over: &Over) -> f64 {
+    fn factor(self, over: &Over, _: impl Fn(f64) -> f64) -> f64 {
         over.at_exactly(self)
+    }
+
+    fn tangent_and_sine(self) -> [f64; 2] {
+        Ball::decimal(self).tangent_and_sine().map(|ball| ball.high)
     }
 
     fn sense(self, least: f64) -> f64 {
@@ -221,8 +232,12 @@ impl Counted for Several {
         Several(std::array::from_fn(|lane| degrees_of(Vector::new(axis.x.0[lane], axis.y.0[lane]))))
     }
 
-    fn factor(self, over: &Over) -> Several {
+    fn factor(self, over: &Over, _: impl Fn(f64) -> Several) -> Several {
         self.map(|at| over.at_exactly(at))
+    }
+
+    fn tangent_and_sine(self) -> [Several; 2] {
+        [0, 1].map(|which: usize| self.map(|degrees| degrees.tangent_and_sine()[which]))
     }
 
     fn sense(self, least: Several) -> Several {
@@ -320,6 +335,10 @@ impl Places for AtPose<'_> {
         self.pose.given(number)
     }
 
+    fn rate(&self, rate: f64) -> Ball {
+        self.pose.rate(rate)
+    }
+
     fn omega(&self, body: BodyId, omega: f64) -> Ball {
         self.pose.omega(body, omega)
     }
@@ -339,15 +358,15 @@ impl Posed<Ball> for AtPose<'_> {
     }
 
     fn axis(&self, body: BodyId) -> Option<Pair<Ball>> {
-        self.pose.axes[body.0].map(|axis| Pair::from(axis).unit())
+        self.pose.axes[body.0].map(|axis| Pair::within(axis, 0.0).unit())
     }
 
     fn slide_position(&self, slider: SliderId) -> Option<Ball> {
-        self.pose.slides[slider.0].map(Ball::from)
+        self.pose.slides[slider.0].map(|position| Ball::within(position, 0.0))
     }
 
     fn local(&self, body: BodyId, point: PointId) -> Pair<Ball> {
-        self.mechanism.local(body, point).coords.into()
+        Pair::within(self.mechanism.local(body, point).coords, 0.0)
     }
 
     fn acceleration(&self, body: BodyId, place: Pair<Ball>) -> Pair<Ball> {

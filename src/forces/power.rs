@@ -3,8 +3,8 @@
 use super::Posed;
 use super::acting::Acting;
 use super::carried::{Drive, Forces};
-use crate::geometry::{Ball, Vector};
-use crate::mechanism::{BodyId, Mechanism, Role, SliderId};
+use crate::geometry::{Ball, Pair, Vector};
+use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::{Places, State, bounded_motion};
 use crate::sheet::Order;
 
@@ -30,6 +30,48 @@ impl Driven {
     }
 }
 
+/// Places while one drive runs at rate 1 and the others stand: such rates are no numbers of the scene.
+struct AtUnitRate<'a, P>(&'a P);
+
+impl<P: Places> Places for AtUnitRate<'_, P> {
+    fn place(&self, point: PointId) -> Pair<Ball> {
+        self.0.place(point)
+    }
+
+    fn arm(&self, from: PointId, to: PointId) -> Pair<Ball> {
+        self.0.arm(from, to)
+    }
+
+    fn guide(&self, slider: SliderId) -> Pair<Ball> {
+        self.0.guide(slider)
+    }
+
+    fn given(&self, number: f64) -> Ball {
+        self.0.given(number)
+    }
+
+    fn rate(&self, rate: f64) -> Ball {
+        Ball::from(i32::from(rate != 0.0))
+    }
+
+    fn omega(&self, _: BodyId, omega: f64) -> Ball {
+        self.rate(omega)
+    }
+
+    fn rounded_arm(&self, from: PointId, to: PointId) -> Vector {
+        self.0.rounded_arm(from, to)
+    }
+
+    fn rounded_guide(&self, slider: SliderId) -> Vector {
+        self.0.rounded_guide(slider)
+    }
+}
+
+/// The motion with a drive at rate 1.
+fn at_unit_rate(mechanism: &Mechanism, places: &impl Places, driven: Driven) -> State {
+    bounded_motion(&with_unit_rate(mechanism, driven), &AtUnitRate(places), Order::Velocity)
+}
+
 /// All drives: links first, then sliders.
 fn driven(mechanism: &Mechanism) -> impl Iterator<Item = Driven> {
     let turned = mechanism.body_ids().filter(|&body| matches!(mechanism.body(body).role, Role::Driver { .. }));
@@ -39,7 +81,7 @@ fn driven(mechanism: &Mechanism) -> impl Iterator<Item = Driven> {
 
 /// The velocities of all bodies by drive, while it runs at rate 1 and the others stand.
 pub(crate) fn lever_states(mechanism: &Mechanism, places: &impl Places) -> Vec<(Driven, State)> {
-    let state = |drive| (drive, bounded_motion(&with_unit_rate(mechanism, drive), places, Order::Velocity));
+    let state = |drive| (drive, at_unit_rate(mechanism, places, drive));
     driven(mechanism).map(state).collect()
 }
 
@@ -50,7 +92,7 @@ pub(super) fn drives(
     forces: &Forces,
 ) -> Option<Vec<Drive>> {
     let drive = |driven: Driven| {
-        let state = bounded_motion(&with_unit_rate(mechanism, driven), posed, Order::Velocity);
+        let state = at_unit_rate(mechanism, posed, driven);
         let power = |load: &Acting| {
             let motion = state.body(load.body).referred_to(load.at);
             load.force.dot(motion.velocity) + load.couple * motion.omega

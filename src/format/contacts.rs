@@ -108,12 +108,12 @@ fn pressing(solution: &Solution, contact: &Contact, forces: &Forces, bounds: &Bo
             let backwards = -pose.arm(from, to).dot(&force);
             let inside = radii.is_some_and(|[first, second]| first + second < 0.0);
             let sense = if (backwards < 0.0) == inside { 1.0 } else { -1.0 };
-            let size = |force: Pair<Ball>| force.dot(force).sqrt() * Ball::from(sense);
+            let size = |force: Pair<Ball>| force.dot(force).sqrt().signed(sense);
             let value = sense * force.norm();
             Some((value, bounds.of_force(value, |f, _| Some(size(f.at_pin(mechanism, to, link)?)))))
         }
         Touch::Face { slider, .. } => {
-            let value = -forces.normal(mechanism, slider, Pair::from(pose.guide(slider))).high;
+            let value = -forces.normal(mechanism, slider, Pair::within(pose.guide(slider), 0.0)).high;
             Some((value, bounds.of_force(value, |f, guide| Some(-f.normal(mechanism, slider, guide(slider))))))
         }
     }

@@ -155,7 +155,7 @@ impl ForcesResult {
             sliders: mechanism
                 .slider_ids()
                 .map(|id| {
-                    let guide = Pair::from(solution.pose.guide(id));
+                    let guide = Pair::within(solution.pose.guide(id), 0.0);
                     let normal = forces.normal(mechanism, id, guide);
                     let couple = forces.couple(mechanism, id);
                     let offset = couple / normal;

@@ -17,6 +17,10 @@ pub const RADIANS_PER_SECOND: Ball =
 pub const RADIANS_PER_TURN: Ball =
     Ball { high: std::f64::consts::TAU, low: 2.449_293_598_294_706_4e-16, radius: 6e-33 };
 
+/// 180/π likewise: degrees in a radian.
+pub const DEGREES_PER_RADIAN: Ball =
+    Ball { high: 57.295_779_513_082_32, low: -1.987_849_567_057_628_3e-15, radius: 2e-31 };
+
 /// By this a radius that was summed by rounding to nearest is made larger: see [`Ball`].
 const UPWARD: f64 = 1.0 + 16.0 * UNIT_ROUNDOFF;
 
@@ -69,6 +73,21 @@ impl Ball {
         let (high, low) = two_product(x, y);
         let is_small = high.abs() < SMALL && x != 0.0 && y != 0.0;
         Ball { high, low, radius: if is_small { LEAST } else { 0.0 } }
+    }
+
+    /// A number of which `value` is known, and that it is off by no more than `error`. Only a number that is what its f64 is has no error: one
+    /// that is chosen, as a place about which others are expanded, or one that counts as given for itself, as those of a pose.
+    #[inline]
+    #[must_use]
+    pub fn within(value: f64, error: f64) -> Ball {
+        Ball { high: value, low: 0.0, radius: error.abs() }
+    }
+
+    /// The number, or its negative where `sign` is negative.
+    #[inline]
+    #[must_use]
+    pub fn signed(self, sign: f64) -> Ball {
+        if sign < 0.0 { -self } else { self }
     }
 
     /// Twice the number, exactly.
@@ -148,11 +167,12 @@ impl Ball {
     }
 }
 
-/// An exact number: a ball of radius 0.
-impl From<f64> for Ball {
+/// A whole number, which f64 has exactly. There is no such conversion of other numbers of f64, whose error has to be stated:
+/// [`Ball::within`].
+impl From<i32> for Ball {
     #[inline]
-    fn from(x: f64) -> Ball {
-        Ball { high: x, ..Ball::default() }
+    fn from(number: i32) -> Ball {
+        exact(f64::from(number))
     }
 }
 
@@ -212,9 +232,9 @@ impl Div for Ball {
     #[inline]
     fn div(self, other: Ball) -> Ball {
         let first = self.high / other.high;
-        let left = self - other * Ball::from(first);
+        let left = self - other * exact(first);
         let second = left.high / other.high;
-        let rest = left - other * Ball::from(second);
+        let rest = left - other * exact(second);
         let (high, low) = two_sum(first, second);
         let off = rest.largest();
         let radius = if off == 0.0 { 0.0 } else { upward(off / other.smallest()) + LEAST };
@@ -223,8 +243,8 @@ impl Div for Ball {
 }
 
 impl Number for Ball {
-    fn same(self, number: f64) -> Ball {
-        number.into()
+    fn eighths(self, count: i32) -> Ball {
+        exact(0.125 * f64::from(count))
     }
 
     fn plus_product(self, a: Ball, b: Ball) -> Ball {
@@ -238,7 +258,7 @@ impl Number for Ball {
             return Ball { radius: upward(self.largest().sqrt()), ..Ball::default() };
         }
         let first = self.high.sqrt();
-        let left = self - Ball::from(first) * Ball::from(first);
+        let left = self - exact(first) * exact(first);
         let (high, low) = two_sum(first, left.high / (2.0 * first));
         let root = Ball { high, low, radius: 0.0 };
         let rest = self - root * root;
@@ -250,15 +270,14 @@ impl Number for Ball {
     }
 }
 
-/// A vector of exact components.
-impl From<Vector> for Pair<Ball> {
-    #[inline]
-    fn from(v: Vector) -> Self {
-        Pair { x: v.x.into(), y: v.y.into() }
-    }
-}
-
 impl Pair<Ball> {
+    /// A vector of which `v` is known, and that neither component is off by more than `error`: see [`Ball::within`].
+    #[inline]
+    #[must_use]
+    pub fn within(v: Vector, error: f64) -> Self {
+        Pair { x: Ball::within(v.x, error), y: Ball::within(v.y, error) }
+    }
+
     /// The vector from one exact place to another, without rounding error.
     #[inline]
     #[must_use]
@@ -292,15 +311,15 @@ impl Pair<Ball> {
             degrees = whole.widened(degrees.radius);
         }
         let quarters = (degrees.high / 90.0).round();
-        let x = (degrees - Ball::from(quarters * 90.0)) * RADIANS_PER_DEGREE;
+        let x = (degrees - exact(quarters * 90.0)) * RADIANS_PER_DEGREE;
         let turns = quarters.rem_euclid(4.0) as i64;
         if x == Ball::default() {
-            return Pair { x: Ball::from(1.0), y: Ball::default() }.turned_by_quarters(turns);
+            return Pair { x: Ball::from(1), y: Ball::default() }.turned_by_quarters(turns);
         }
         let off = x.radius;
         let x = x.middle();
         let square = x * x;
-        let one = Ball::from(1.0);
+        let one = Ball::from(1);
         // 1 − x²/(k (k+1)) (1 − x²/((k+2) (k+3)) (…)), from the last term on.
         let series = |first: u32| {
             (0..TERMS).rev().fold(one, |rest, term| {
@@ -330,7 +349,7 @@ impl Pair<Ball> {
     /// each time would multiply the error by √2 each time.
     #[must_use]
     pub fn times(self, times: u32) -> Self {
-        let (mut whole, mut doubled, mut left) = (Pair { x: Ball::from(1.0), y: Ball::default() }, self, times);
+        let (mut whole, mut doubled, mut left) = (Pair { x: Ball::from(1), y: Ball::default() }, self, times);
         while left > 0 {
             if left % 2 == 1 {
                 whole = whole.turn(doubled);
@@ -357,9 +376,9 @@ impl Pair<Ball> {
     /// next ones are below φ⁴/24 and φ⁵/120.
     #[must_use]
     pub fn turned_slightly(self, angle: f64) -> Self {
-        let x = Ball::from(angle);
+        let x = exact(angle);
         let square = x * x;
-        let cosine = Ball::from(1.0) - square.over(2.0);
+        let cosine = Ball::from(1) - square.over(2.0);
         let sine = x - (square * x).over(6.0);
         let off = angle * angle * angle * angle;
         Pair { x: cosine.widened(off), y: sine.widened(off) }.turn(self)
@@ -371,7 +390,7 @@ impl Pair<Ball> {
     /// The angle φ is at most tan φ.
     #[must_use]
     pub fn degrees_from(self, degrees: f64) -> f64 {
-        let printed = Pair::direction_of_degrees(degrees.into());
+        let printed = Pair::direction_of_degrees(exact(degrees));
         let (across, along) = (printed.cross(self), printed.dot(self));
         let least = if along.high > 0.0 { along.smallest() } else { 0.0 };
         if across.largest() == 0.0 && least > 0.0 {
@@ -386,6 +405,12 @@ impl Pair<Ball> {
     pub fn errors_from(self, v: Vector) -> [f64; 2] {
         [self.x.error_from(v.x), self.y.error_from(v.y)]
     }
+}
+
+/// A number that is what its f64 is.
+#[inline]
+pub(super) fn exact(x: f64) -> Ball {
+    Ball::within(x, 0.0)
 }
 
 /// A radius that was summed by rounding to nearest, made so much larger that it bounds what it stands for.

@@ -1,6 +1,7 @@
 //! Decimals, as people write them, as balls.
 
 use super::Ball;
+use super::ball::exact;
 
 /// Powers of ten up to this one are exact in f64.
 const EXACT: u32 = 22;
@@ -27,8 +28,8 @@ impl Ball {
         let last = digits.iter().rposition(|digit| *digit > 0).map_or(0, |last| last + 1);
         let kept = &digits[..last.min(MOST)];
         let number = kept.chunks(TOGETHER).fold(Ball::default(), |number, chunk| {
-            let whole = Ball::from(chunk.iter().fold(0.0, |whole, digit| 10.0 * whole + f64::from(*digit)));
-            if number == Ball::default() { whole } else { number * power_of_ten(chunk.len() as u32).into() + whole }
+            let whole = exact(chunk.iter().fold(0.0, |whole, digit| 10.0 * whole + f64::from(*digit)));
+            if number == Ball::default() { whole } else { number * exact(power_of_ten(chunk.len() as u32)) + whole }
         });
         let number = if last > MOST { number.widened(1.0) } else { number };
         let moved = (digits.len() - kept.len()) as i64 - decimals as i64;
@@ -40,7 +41,7 @@ impl Ball {
     /// The shortest decimal that reads as `x`, which is how `x` is printed.
     #[must_use]
     pub fn decimal(x: f64) -> Ball {
-        if x.trunc() == x && x.abs() < WHOLE { x.into() } else { Ball::of_decimal(&format!("{x:e}")) }
+        if x.trunc() == x && x.abs() < WHOLE { exact(x) } else { Ball::of_decimal(&format!("{x:e}")) }
     }
 }
 
@@ -50,11 +51,11 @@ fn scaled(number: Ball, power: i64) -> Ball {
     (0..size).step_by(EXACT as usize).fold(number, |number, done| {
         let scale = power_of_ten((size - done).min(EXACT));
         if power < 0 {
-            number / scale.into()
+            number / exact(scale)
         } else if number.low == 0.0 && number.radius == 0.0 {
             Ball::product(number.high, scale)
         } else {
-            number * scale.into()
+            number * exact(scale)
         }
     })
 }

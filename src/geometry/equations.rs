@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 const LAST_CORRECTION: f64 = 1e-24;
 
 /// Numbers of which [`Equations`] may be made.
-pub trait Solvable: Number + Default + PartialEq + From<f64> {
+pub trait Solvable: Number + Default + PartialEq + From<i32> {
     /// The unknowns; `None` where the equations are singular, or may be within the bounds of their coefficients.
     fn solved(equations: &Equations<Self>) -> Option<Vec<Self>>;
 }

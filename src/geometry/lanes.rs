@@ -1,4 +1,4 @@
-use super::{Number, Pair};
+use super::{Floating, Number, Pair};
 use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Index, IndexMut, Mul, Neg, Range, Sub};
@@ -75,7 +75,7 @@ impl IndexMut<usize> for Many {
 /// How rows are processed: number by number, or in SIMD registers.
 pub trait Lanes: Copy {
     /// What one operation works on: a number, or a register of several.
-    type Number: Number;
+    type Number: Floating;
 
     /// These lanes with one register at a time.
     type Narrow: Lanes;
@@ -302,10 +302,17 @@ fn step_by_step<S: Simd>(simd: S, a: S::f64s, b: S::f64s, c: S::f64s) -> S::f64s
     )
 }
 
-impl<S: Simd, const N: usize> Number for Register<S, N> {
+impl<S: Simd, const N: usize> Floating for Register<S, N> {
     #[inline(always)]
     fn same(self, number: f64) -> Self {
         Registers::<S, N>(self.simd).splat(number)
+    }
+}
+
+impl<S: Simd, const N: usize> Number for Register<S, N> {
+    #[inline(always)]
+    fn eighths(self, count: i32) -> Self {
+        self.same(0.125 * f64::from(count))
     }
 
     /// Rounded once, also where the processor has no such operation: the same bits on every machine.

@@ -15,11 +15,11 @@ mod refined;
 mod several;
 mod system;
 
-pub use ball::{Ball, RADIANS_PER_SECOND, RADIANS_PER_TURN};
+pub use ball::{Ball, DEGREES_PER_RADIAN, RADIANS_PER_SECOND, RADIANS_PER_TURN};
 pub use equations::{Equations, Solvable};
 pub use lanes::{Lanes, MANY, Many, OneByOne, Register, Registers, Row, TOGETHER, portions};
 pub use line::{Crossing, Line, PARALLEL, Place};
-pub use numbers::{NEAR, Number, Pair, direction_near, quarters_of};
+pub use numbers::{Floating, NEAR, Number, Pair, direction_near, quarters_of};
 pub use random::Random;
 pub use reduced::Reduced;
 pub use refined::{Balls, Sides, refined};

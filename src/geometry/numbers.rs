@@ -5,8 +5,15 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// `number` in every lane, as a value of the type of `self`; the value of `self` does not matter.
-    fn same(self, number: f64) -> Self;
+    /// So many eighths in every lane, as a value of the type of `self`; the value of `self` does not matter. Every kind of number has
+    /// them exactly, with bounds or without.
+    fn eighths(self, count: i32) -> Self;
+
+    /// The number 1, as [`Self::eighths`].
+    #[inline(always)]
+    fn one(self) -> Self {
+        self.eighths(8)
+    }
 
     /// self + a b, rounded once where the processor has a fast instruction for that.
     fn plus_product(self, a: Self, b: Self) -> Self;
@@ -24,10 +31,23 @@ pub trait Number:
     fn larger(self, other: Self) -> Self;
 }
 
-impl Number for f64 {
+/// A number of f64, without bounds, or several of them.
+pub trait Floating: Number {
+    /// `number` in every lane, as a value of the type of `self`; the value of `self` does not matter.
+    fn same(self, number: f64) -> Self;
+}
+
+impl Floating for f64 {
     #[inline(always)]
     fn same(self, number: f64) -> f64 {
         number
+    }
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn eighths(self, count: i32) -> f64 {
+        0.125 * f64::from(count)
     }
 
     #[inline(always)]
@@ -66,7 +86,7 @@ pub fn quarters_of(degrees: f64) -> f64 {
 #[inline(always)]
 #[expect(clippy::excessive_precision, reason = "the coefficients stand as published")]
 #[must_use]
-pub fn direction_near<T: Number>(degrees: T, quarters: f64) -> Pair<T> {
+pub fn direction_near<T: Floating>(degrees: T, quarters: f64) -> Pair<T> {
     let number = |x: f64| degrees.same(x);
     let x = (degrees - number(90.0 * quarters)) * number(std::f64::consts::PI / 180.0);
     let z = x * x;

@@ -21,7 +21,7 @@ impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
     #[inline(always)]
     #[must_use]
     pub fn new(columns: [[Pair<T>; 3]; EQUATIONS]) -> Self {
-        let inverse = |[h, ..]: [Pair<T>; 3]| h.x.same(1.0) / h.dot(h);
+        let inverse = |[h, ..]: [Pair<T>; 3]| h.x.one() / h.dot(h);
         Self::with_inverse_squares(columns, columns.map(inverse))
     }
 
@@ -62,9 +62,9 @@ impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
     #[must_use]
     pub fn squared_hadamard_ratio(&self) -> T {
         let determinant = self.determinant();
-        let one = determinant.same(1.0);
+        let one = determinant.one();
         let square = |column: usize| {
-            self.columns.iter().map(|c| c[column].dot(c[column])).fold(one.same(0.0), |sum, square| sum + square)
+            self.columns.iter().map(|c| c[column].dot(c[column])).fold(one.eighths(0), |sum, square| sum + square)
         };
         let inverse_squares = if EQUATIONS == 2 { self.inverse_squares.iter().fold(one, |p, i| p * *i) } else { one };
         determinant * determinant * inverse_squares / (square(1) * square(2))

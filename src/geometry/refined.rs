@@ -1,5 +1,6 @@
 //! Iterative refinement: the unknowns of a linear system almost to the last digit, with bounds of their errors.
 
+use super::ball::exact;
 use super::{Ball, LinearSystem, Numbers, Verified};
 use smallvec::{SmallVec, smallvec};
 
@@ -39,7 +40,7 @@ pub fn refined<S: Sides>(
         let right: Numbers = here.numbers().map(|x| x.high).collect();
         let correction = correct(system, &right);
         for (x, &more) in solution.iter_mut().zip(&correction) {
-            *x = *x + more.into();
+            *x = *x + exact(more);
         }
         let change = system.size(correction.iter().copied());
         let size = system.size(solution.iter().map(|x| x.high));

@@ -27,6 +27,13 @@ impl From<f64> for Several {
     }
 }
 
+impl From<i32> for Several {
+    #[inline]
+    fn from(number: i32) -> Several {
+        f64::from(number).into()
+    }
+}
+
 macro_rules! by_lane {
     ($($operator:ident $method:ident),*) => {$(
         impl $operator for Several {
@@ -53,8 +60,8 @@ impl Neg for Several {
 
 impl Number for Several {
     #[inline]
-    fn same(self, number: f64) -> Self {
-        number.into()
+    fn eighths(self, count: i32) -> Self {
+        (0.125 * f64::from(count)).into()
     }
 
     #[inline]

@@ -353,7 +353,7 @@ pub(super) fn correct<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing:
 /// Three terms of 1/√(1 + excess): for an excess up to 1e-6 the remainder is below rounding.
 #[inline(always)]
 pub fn unit<T: Number>(v: Pair<T>) -> Pair<T> {
-    let (one, half, rest) = (v.x.same(1.0), v.x.same(0.5), v.x.same(0.375));
+    let (one, half, rest) = (v.x.one(), v.x.eighths(4), v.x.eighths(3));
     let excess = v.dot(v) - one;
     v * one.minus_product(excess, half.minus_product(excess, rest))
 }

@@ -282,7 +282,7 @@ impl<'a> Compiler<'a> {
         if tie.as_fixed_angle().is_some() {
             return None;
         }
-        let mut tied = Tied { classes: Vec::new(), slides: Vec::new(), apart: angle(tie.constant) };
+        let mut tied = Tied { classes: Vec::new(), slides: Vec::new(), apart: angle(tie.constant.rounded()) };
         if let Some(travel) = &tie.travel {
             tied.apart -= travel.start / travel.radius;
             tied.slides.extend(travel.slides.iter().map(|&(SliderId(slider), sign)| TiedSlide {

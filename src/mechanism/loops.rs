@@ -108,7 +108,7 @@ pub struct Slide {
 #[derive(Clone, Debug)]
 pub struct AngularTerms {
     /// The rates with their weights, whose sum is zero.
-    pub rates: SmallVec<[(AngularRate, f64); 3]>,
+    pub rates: SmallVec<[(AngularRate, i32); 3]>,
     /// What slides as the bodies turn.
     pub travel: Option<TravelTerms>,
 }
@@ -137,7 +137,7 @@ impl AngularTerms {
     /// The coefficients of the unknowns, each with the unknown's index.
     pub(crate) fn coefficients(&self) -> impl Iterator<Item = (usize, f64)> {
         let turning = self.rates.iter().filter_map(|&(rate, weight)| match rate {
-            AngularRate::Unknown(unknown) => Some((unknown, weight)),
+            AngularRate::Unknown(unknown) => Some((unknown, f64::from(weight))),
             AngularRate::Known(_) => None,
         });
         let sliding = self.travel.iter().flat_map(|travel| {
@@ -305,7 +305,7 @@ fn angular_terms(
         radius: travel.radius,
     });
     let terms = angular.terms.iter();
-    AngularTerms { rates: terms.map(|&(body, weight)| (rate_of(rates, body), f64::from(weight))).collect(), travel }
+    AngularTerms { rates: terms.map(|&(body, weight)| (rate_of(rates, body), weight)).collect(), travel }
 }
 
 /// The terms of a loop; new slide rates get the indices from `unknowns` on.

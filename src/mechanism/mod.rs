@@ -29,8 +29,8 @@ pub use build::mechanism_with;
 pub(crate) use build::{mirrored_mechanism, renumber};
 pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};
 pub use joint::{
-    AngularConstraint, Belt, Contact, DrivenSlide, Guide, Joint, Mark, Pitch, Rack, Rolling, Slider, Touch, Touching,
-    Travel,
+    AngularConstraint, Belt, Constant, Contact, DrivenSlide, Guide, Joint, Mark, Pitch, Rack, Rolling, Slider, Touch,
+    Touching, Travel,
 };
 pub use loops::{
     AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate, TravelTerms, Travelling,

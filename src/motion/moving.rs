@@ -130,8 +130,10 @@ pub trait Places {
     fn arm(&self, from: PointId, to: PointId) -> Pair<Ball>;
     /// The unit direction of a slider's guide.
     fn guide(&self, slider: SliderId) -> Pair<Ball>;
-    /// A number of the scene.
+    /// A number of the scene: a length, a coordinate or an angle.
     fn given(&self, number: f64) -> Ball;
+    /// A velocity or an acceleration that is given, by the scene or since.
+    fn rate(&self, rate: f64) -> Ball;
     /// The given angular velocity of a driven body.
     fn omega(&self, body: BodyId, omega: f64) -> Ball;
 
@@ -145,15 +147,15 @@ pub trait Places {
         self.guide(slider).rounded()
     }
 
-    /// A place that the scene gives.
-    fn given_pair(&self, v: Vector) -> Pair<Ball> {
-        Pair { x: self.given(v.x), y: self.given(v.y) }
+    /// A velocity or an acceleration that is given.
+    fn rate_pair(&self, v: Vector) -> Pair<Ball> {
+        Pair { x: self.rate(v.x), y: self.rate(v.y) }
     }
 }
 
 impl Places for Pose {
     fn place(&self, point: PointId) -> Pair<Ball> {
-        self.point(point).coords.into()
+        Pair::within(self.point(point).coords, 0.0)
     }
 
     fn arm(&self, from: PointId, to: PointId) -> Pair<Ball> {
@@ -163,8 +165,7 @@ impl Places for Pose {
     fn guide(&self, slider: SliderId) -> Pair<Ball> {
         let u = self.guides[slider.0];
         let error = guide_error(u);
-        let Pair { x, y } = Pair::<Ball>::from(u);
-        Pair { x: x.widened(u.x * error), y: y.widened(u.y * error) }
+        Pair { x: Ball::within(u.x, u.x * error), y: Ball::within(u.y, u.y * error) }
     }
 
     fn rounded_arm(&self, from: PointId, to: PointId) -> Vector {
@@ -176,11 +177,15 @@ impl Places for Pose {
     }
 
     fn given(&self, number: f64) -> Ball {
-        number.into()
+        Ball::within(number, 0.0)
+    }
+
+    fn rate(&self, rate: f64) -> Ball {
+        Ball::within(rate, 0.0)
     }
 
     fn omega(&self, _: BodyId, omega: f64) -> Ball {
-        omega.into()
+        Ball::within(omega, 0.0)
     }
 }
 

@@ -72,13 +72,13 @@ impl Reach {
             if slider.on != GROUND || slider.at != middle {
                 return None;
             }
-            let base = Pair::<Ball>::from(direction).widened(guide_error(direction));
+            let base = Pair::within(direction, guide_error(direction));
             let height = between(through, from).dot(base.quarter_turn());
             let reaches = [rod, -rod].map(|reach| Stretch::from_guide(a, reach - height));
             let up = quarter_turn(direction);
             let near = usize::from((pose.point(driven) - pose.point(middle)).dot(&up) < 0.0);
             let side = usize::from(turned(driven).dot(&up) < 0.0);
-            let lines = [1.0, -1.0].map(|y| Pair { x: Ball::default(), y: Ball::from(y) });
+            let lines = [1, -1].map(|y| Pair { x: Ball::default(), y: Ball::from(y) });
             return Some(Reach { crank, arm, base, reaches, near, side, lines });
         }
         let fixed = mechanism.joint_point(last);
@@ -88,7 +88,7 @@ impl Reach {
         let [to_driven, to_fixed] = [driven, fixed].map(|p| pose.point(p) - pose.point(middle));
         let near = usize::from(to_driven.dot(&to_fixed) > 0.0);
         let side = usize::from(turned(driven).dot(&turned(fixed)) < 0.0);
-        let lines = [1.0, -1.0].map(|x| Pair { x: Ball::from(x), y: Ball::default() });
+        let lines = [1, -1].map(|x| Pair { x: Ball::from(x), y: Ball::default() });
         Some(Reach { crank, arm, base, reaches, near, side, lines })
     }
 

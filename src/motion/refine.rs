@@ -79,7 +79,7 @@ pub(crate) fn coefficient_errors(equations: &LoopEquations, places: &impl Places
         let Some(travel) = &terms.travel else { continue };
         for Travelling { unknown, sign, .. } in &travel.slides {
             if let Some(unknown) = unknown {
-                let exact = Ball::from(-sign) / places.given(travel.radius);
+                let exact = Ball::from(-1).signed(*sign) / places.given(travel.radius);
                 row[*unknown] += exact.error_from(-sign / travel.radius);
             }
         }
@@ -189,7 +189,7 @@ pub(super) fn velocity_sides(equations: &LoopEquations, places: &impl Places, st
         AngularRate::Unknown(_) => None,
     };
     let speed = |rate: SlideRate| match rate {
-        SlideRate::Driven([speed, _]) => Some(places.given(speed)),
+        SlideRate::Driven([speed, _]) => Some(places.rate(speed)),
         SlideRate::Unknown(_) => None,
     };
     let side = |terms: &LoopTerms| {
@@ -258,11 +258,11 @@ fn less_angular(
     speed_of: impl Fn(&Travelling) -> Option<Ball>,
 ) -> Ball {
     let rates = terms.rates.iter();
-    let side = rates.fold(side, |side, &(rate, weight)| rate_of(rate).map_or(side, |x| side - x * weight.into()));
+    let side = rates.fold(side, |side, &(rate, weight)| rate_of(rate).map_or(side, |x| side - x * Ball::from(weight)));
     let Some(travel) = &terms.travel else { return side };
     let radius = places.given(travel.radius);
     let slides = travel.slides.iter();
-    slides.fold(side, |side, slide| speed_of(slide).map_or(side, |x| side + x * slide.sign.into() / radius))
+    slides.fold(side, |side, slide| speed_of(slide).map_or(side, |x| side + x.signed(slide.sign) / radius))
 }
 
 /// side − Σ ω J r − Σ ṡ u, of those ω and ṡ that the functions give.
@@ -280,7 +280,7 @@ fn less_rates(
     }
     for slide in &terms.slides {
         if let Some(speed) = speed(slide.rate) {
-            side = side - places.guide(slide.slider) * (speed * slide.sign.into());
+            side = side - places.guide(slide.slider) * speed.signed(slide.sign);
         }
     }
     side
@@ -319,12 +319,12 @@ fn acceleration_side(terms: &LoopTerms, places: &impl Places, state: &State, rat
         }
     }
     for slide in &terms.slides {
-        let u = places.guide(slide.slider) * slide.sign.into();
+        let u = places.guide(slide.slider) * Ball::from(1).signed(slide.sign);
         let rate = match slide.rate {
             SlideRate::Unknown(unknown) => rates[unknown],
             SlideRate::Driven([speed, acceleration]) => {
-                side = side - u * places.given(acceleration);
-                places.given(speed)
+                side = side - u * places.rate(acceleration);
+                places.rate(speed)
             }
         };
         side = side - u.quarter_turn() * (omega(slide.angular) * rate).twice();

@@ -2,7 +2,7 @@ use super::moving::{BoundedMotion, BoundedSlide, Places, State};
 use super::refine::{Solver, acceleration_sides, velocity_sides};
 use super::singular::{Standing, singular, standing};
 use super::{Motion, MotionError, says};
-use crate::geometry::{Ball, UNIT_ROUNDOFF, Vector};
+use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, Vector};
 use crate::mechanism::{
     AngularRate, BodyId, Group, JointId, Loop, LoopEquations, Mechanism, PointId, Role, Slider, SliderId,
 };
@@ -222,7 +222,7 @@ fn known_motion(mechanism: &Mechanism, places: &impl Places, id: BodyId) -> Boun
             let turning = BoundedMotion {
                 at: places.place(*pivot),
                 omega: places.omega(id, *omega),
-                alpha: places.given(*alpha),
+                alpha: places.rate(*alpha),
                 ..BoundedMotion::default()
             };
             // The reference point is the point farthest from the pivot, where a group is usually joined.
@@ -238,16 +238,16 @@ fn known_motion(mechanism: &Mechanism, places: &impl Places, id: BodyId) -> Boun
             motion_across(mechanism, places, *slider, *from, &source, &slide)
         }
         Role::Moving { at, velocity, acceleration, omega, alpha } => BoundedMotion {
-            at: places.given_pair(at.coords),
-            velocity: places.given_pair(*velocity),
-            acceleration: places.given_pair(*acceleration),
-            omega: places.given(*omega),
-            alpha: places.given(*alpha),
+            at: Pair { x: places.given(at.x), y: places.given(at.y) },
+            velocity: places.rate_pair(*velocity),
+            acceleration: places.rate_pair(*acceleration),
+            omega: places.rate(*omega),
+            alpha: places.rate(*alpha),
         },
         Role::Carrier { velocity, acceleration } => BoundedMotion {
             at: places.place(body.points[0]),
-            velocity: places.given_pair(*velocity),
-            acceleration: places.given_pair(*acceleration),
+            velocity: places.rate_pair(*velocity),
+            acceleration: places.rate_pair(*acceleration),
             ..BoundedMotion::default()
         },
         Role::Unsolved => {
@@ -265,8 +265,8 @@ fn known_motion(mechanism: &Mechanism, places: &impl Places, id: BodyId) -> Boun
 fn driven_motion(places: &impl Places, slider: &Slider) -> BoundedSlide {
     let drive = slider.drive.as_ref();
     drive.map_or(BoundedSlide::default(), |drive| BoundedSlide {
-        velocity: places.given(drive.speed),
-        acceleration: places.given(drive.acceleration),
+        velocity: places.rate(drive.speed),
+        acceleration: places.rate(drive.acceleration),
     })
 }
 

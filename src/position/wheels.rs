@@ -24,7 +24,7 @@ pub(super) fn start(
     let mut matrix = DMatrix::zeros(equations.unknowns, equations.unknowns);
     let mut right = DVector::zeros(equations.unknowns);
     for (row, relation) in group.gears(mechanism).enumerate() {
-        right[row] = relation.constant_deg;
+        right[row] = relation.constant.rounded_degrees();
         for &(body, weight) in &relation.terms {
             let weight = f64::from(weight);
             match equations.angular_rate_of(body) {

@@ -55,7 +55,7 @@ impl Digits {
                 {
                     let x = text.parse::<f64>().unwrap_or_default();
                     if digits.0.contains_key(&key(x)) {
-                        digits.add(x, Given { ball: x.into(), is_printed: true });
+                        digits.add(x, Given { ball: Ball::within(x, 0.0), is_printed: true });
                     }
                 }
             });
@@ -74,7 +74,7 @@ impl Digits {
 
     /// The sum of two numbers of the text, as it is with all their digits: it counts as one of the text's own.
     pub fn sum(&mut self, [a, b]: [f64; 2]) -> f64 {
-        let balls = [self.ball(a), self.ball(b)];
+        let balls = [a, b].map(|x| self.written(x).unwrap_or_else(|| Ball::decimal(x)));
         let ball = match balls.iter().all(|ball| ball.low == 0.0 && ball.radius == 0.0) {
             true => Ball::difference(a, -b),
             false => balls[0] + balls[1],
@@ -86,13 +86,9 @@ impl Digits {
         x
     }
 
-    /// The number that was read as `x`; that which `x` is printed as, where the text has no such number.
-    pub fn ball(&self, x: f64) -> Ball {
-        match self.0.get(&key(x)) {
-            Some(given) if x < 0.0 => -given.ball,
-            Some(given) => given.ball,
-            None => Ball::decimal(x),
-        }
+    /// The number that was read as `x`; `None` where the text has no such number, or has it as a whole number that is exactly `x`.
+    pub fn written(&self, x: f64) -> Option<Ball> {
+        Some(self.0.get(&key(x))?.ball.signed(x))
     }
 
     /// Whether `x` is one of the text's numbers and is printed as it is written there.

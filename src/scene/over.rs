@@ -165,32 +165,50 @@ impl OverFile {
 
 impl Over {
     /// The factor at a place that is known within a bound; its own bound covers every place within.
-    pub(crate) fn at(&self, place: Ball) -> Ball {
-        let (value, off) = (place.high, place.error());
-        let lines = match self.of {
-            Gauge::Position(_) => self.beyond(),
-            Gauge::Angle(_) => self.turns(value),
-        };
-        let value = value.clamp(lines[0][0], lines[lines.len() - 1][0]);
+    /// `given` makes such numbers of those of the table.
+    pub(crate) fn at(&self, place: Ball, given: impl Fn(f64) -> Ball) -> Ball {
+        let lines = self.lines(place, given);
+        let (start, middle) = (lines[0], place.middle());
         let pieces = || lines.windows(2).map(|pair| [pair[0], pair[1]]);
-        let is_before = |[from, to]: &[[f64; 2]; 2]| from[0] <= value && from[0] < to[0];
-        let [from, to] = pieces().rfind(is_before).unwrap_or([lines[0]; 2]);
-        if from[0] == to[0] {
-            return from[1].into();
-        }
-        let part = (Ball::from(value) - from[0].into()) / (Ball::from(to[0]) - from[0].into());
-        let factor = Ball::from(from[1]) + (Ball::from(to[1]) - from[1].into()) * part;
-        // What the factor changes by within the bound: along each piece that is near, and at each jump.
-        let change = |[from, to]: [[f64; 2]; 2]| {
-            let is_near = value - off <= to[0] && value + off >= from[0];
-            match to[0] - from[0] {
-                _ if !is_near => 0.0,
-                0.0 => (to[1] - from[1]).abs(),
-                length => (to[1] - from[1]).abs() * (2.0 * off / length).min(1.0),
+        let is_before = |[from, to]: &[[Ball; 2]; 2]| (middle - from[0]).high >= 0.0 && (to[0] - from[0]).high > 0.0;
+        let factor = match pieces().rfind(is_before) {
+            Some([from, to]) if (to[0] - middle).high >= 0.0 => {
+                from[1] + (to[1] - from[1]) * ((middle - from[0]) / (to[0] - from[0]))
             }
+            Some([_, last]) => last[1],
+            None => start[1],
         };
-        let within: f64 = if off > 0.0 { pieces().map(change).sum() } else { 0.0 };
+        // What the factor changes by within the bounds: along each piece that is near, and at each jump.
+        let change = |[from, to]: [[Ball; 2]; 2]| {
+            let off = place.radius + from[0].radius + to[0].radius;
+            let (after, before) = (place - from[0], to[0] - place);
+            let is_near = [after, before].iter().all(|way| way.high + way.error() >= 0.0);
+            let (change, length) = ((to[1] - from[1]).largest(), (to[0] - from[0]).smallest());
+            if !is_near || off == 0.0 { 0.0 } else { change * (2.0 * off / length).min(1.0) }
+        };
+        let within: f64 = pieces().map(change).sum();
         factor.widened(within * (1.0 + 8.0 * f64::EPSILON))
+    }
+
+    /// The table with a piece before its first line and one after its last, in which it does not change; over an angle three turns of it, of
+    /// which the second has the angle.
+    fn lines(&self, place: Ball, given: impl Fn(f64) -> Ball) -> Vec<[Ball; 2]> {
+        let table: Vec<[Ball; 2]> = self.table.iter().map(|line| line.map(&given)).collect();
+        let (first, last) = (table[0], table[table.len() - 1]);
+        match self.of {
+            Gauge::Position(_) => {
+                let more = last[0] - first[0];
+                let (before, after) = ([first[0] - more, first[1]], [last[0] + more, last[1]]);
+                [&[before], &table[..], &[after]].concat()
+            }
+            Gauge::Angle(_) => {
+                let turns = libm::floor((place.high - first[0].high) / TURN);
+                // A whole number of degrees.
+                let by = |which: f64| Ball::within(TURN * (turns + which), 0.0);
+                let turn = |which: f64| table.iter().map(move |line| [line[0] + by(which), line[1]]);
+                [-1.0, 0.0, 1.0].into_iter().flat_map(turn).collect()
+            }
+        }
     }
 
     /// The factor at a place that counts as exact.
@@ -208,20 +226,5 @@ impl Over {
             (None, _) => return first[1],
         };
         if from[0] == to[0] { from[1] } else { from[1] + (to[1] - from[1]) * ((place - from[0]) / (to[0] - from[0])) }
-    }
-
-    /// The table with a piece before its first line and one after its last, in which it does not change.
-    fn beyond(&self) -> Vec<[f64; 2]> {
-        let (first, last) = (self.table[0], self.table[self.table.len() - 1]);
-        let more = last[0] - first[0];
-        let (before, after) = ([first[0] - more, first[1]], [last[0] + more, last[1]]);
-        [&[before], &self.table[..], &[after]].concat()
-    }
-
-    /// The table in three turns, of which the second has the angle.
-    fn turns(&self, degrees: f64) -> Vec<[f64; 2]> {
-        let turns = libm::floor((degrees - self.table[0][0]) / TURN);
-        let turn = |which: f64| self.table.iter().map(move |line| [line[0] + TURN * (turns + which), line[1]]);
-        [-1.0, 0.0, 1.0].into_iter().flat_map(turn).collect()
     }
 }

@@ -24,7 +24,7 @@ use super::typed::{read_as, read_with};
 use super::units::Units;
 use super::value::{NearValue, Vector};
 use super::write::{text_of, write_keys};
-use crate::geometry::Ball;
+use crate::geometry::{Ball, UNIT_ROUNDOFF};
 use crate::message::Message;
 use crate::text::{Untrusted, shown};
 
@@ -177,9 +177,17 @@ impl Scene {
     }
 
     /// The number that is written in its text where it has `x`: with all digits of the decimal, or of the size and angle
-    /// of the vector of which it is a component. The decimal as which `x` is printed, where the text has none such.
+    /// of the vector of which it is a component. Where the text has none such and `x` is no whole number, it was computed, and may be
+    /// off by a rounding.
     pub(crate) fn as_written(&self, x: f64) -> Ball {
-        self.digits.ball(x)
+        let is_whole = x.trunc() == x;
+        let computed = || Ball::within(x, if is_whole { 0.0 } else { 2.0 * UNIT_ROUNDOFF * x.abs() });
+        self.digits.written(x).unwrap_or_else(computed)
+    }
+
+    /// The same, or the decimal as which `x` is printed: of what may have been given another number since.
+    pub(crate) fn as_written_or_printed(&self, x: f64) -> Ball {
+        self.digits.written(x).unwrap_or_else(|| Ball::decimal(x))
     }
 
     /// Whether `x` is a number of its text and is printed as it is written there.

@@ -135,7 +135,7 @@ fn pound_force() -> Ball {
 impl MassUnit {
     fn in_kilograms(self) -> Ball {
         match self {
-            MassUnit::Kg => Ball::from(1.0),
+            MassUnit::Kg => Ball::from(1),
             MassUnit::G => Ball::of_decimal("0.001"),
             MassUnit::T => Ball::of_decimal("1000"),
             MassUnit::Lb => Ball::of_decimal(POUND),
@@ -148,7 +148,7 @@ impl MassUnit {
 impl ForceUnit {
     fn in_newtons(self) -> Ball {
         match self {
-            ForceUnit::N => Ball::from(1.0),
+            ForceUnit::N => Ball::from(1),
             ForceUnit::Kn => Ball::of_decimal("1000"),
             ForceUnit::Mn => Ball::of_decimal("0.001"),
             ForceUnit::Kgf => Ball::of_decimal(STANDARD_GRAVITY),
@@ -161,10 +161,10 @@ impl Units {
     /// The force that one unit of mass needs for one unit of acceleration, in units of force: 0.001 for mm, s, kg and N. All units are
     /// exact decimals of SI units, or quotients of such. One where a unit of mass or force is missing.
     pub(crate) fn force_of_mass_times_acceleration(self) -> Ball {
-        let (Some(mass), Some(force)) = (self.mass, self.force) else { return Ball::from(1.0) };
+        let (Some(mass), Some(force)) = (self.mass, self.force) else { return Ball::from(1) };
         let seconds = match self.time {
-            TimeUnit::S => Ball::from(1.0),
-            TimeUnit::Min => Ball::from(60.0),
+            TimeUnit::S => Ball::from(1),
+            TimeUnit::Min => Ball::from(60),
         };
         // Numerator and denominator first: what stands in both cancels to the last digit.
         mass.in_kilograms() * self.length.in_metres() / (seconds * seconds * force.in_newtons())

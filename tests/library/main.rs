@@ -96,6 +96,7 @@ mod free_bodies;
 mod friction;
 mod fuzzed;
 mod gallery_measured;
+mod geared_errors;
 mod gears;
 mod given_angle;
 mod growth;

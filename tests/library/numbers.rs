@@ -13,6 +13,7 @@ use support::exact::minus;
 use support::files;
 use support::random::Random;
 use support::stages::solved;
+use support::whole_errors::truth::{self, Real};
 
 /// The number of that name in a result, with its bound.
 fn number(result: &ResultFile, name: &str) -> (f64, f64) {
@@ -253,4 +254,58 @@ fn two_assemblies_are_separated_or_nothing_is_proved() {
     }
     println!("{separated} separated, {refused} with nothing proved");
     assert!(separated >= 8 && refused >= 3, "{separated} separated, {refused} with nothing proved");
+}
+
+/// Digits of an angle or a radius that f64 does not keep move what is read from it by more than the last digit: stated errors count them.
+#[test]
+fn long_digits_of_wheels_and_friction_count() {
+    let solution = |scene: String| solved(&scene).unwrap_or_else(|error| panic!("{error}\n{scene}"));
+    // Half a unit in the last place of 32 less a little: f64 has 32 itself.
+    let degrees = "32.0000000000000035";
+    let [cosine, sine] = truth::direction_of(&truth::decimal(degrees));
+    let tangent = sine / cosine;
+    let mut compared = 0;
+    let mut hold = |what: &str, value: f64, bound: f64, truth: &Real| {
+        let off = truth::error(value, truth);
+        assert!(off <= bound, "{what} is {value:e}, off by {off:e}, stated {bound:e}");
+        compared += 1;
+    };
+    for times in 1..40 {
+        // The teeth push with so much along the tangent, 60 mm from the axis, and by the tangent of the pressure angle across.
+        let scene = format!(
+            r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s", "force": "N" }}, "ground": {{ "A": [0, 0], "B": [100, 0] }},
+            "links": {{ "1": {{ "points": ["A"], "drive": {{ "angle": 0, "omega": 3 }} }}, "2": {{ "points": ["B"] }} }},
+            "gears": [{{ "mesh": ["1", "2"], "teeth": [20, 30], "on": "ground", "pressure": {degrees} }}],
+            "forces": [{{ "on": "2", "couple": {} }}] }}"#,
+            60 * times
+        );
+        let result = solution(scene).result();
+        let found = &result.forces.as_ref().expect("forces").reactions["B"]["2"];
+        hold("R(B,2).x", found.force[0], found.force_error, &(truth::exactly(-f64::from(times)) * &tangent));
+        // A slider that is pressed on its guide and pushed along it.
+        let scene = format!(
+            r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s", "force": "N" }}, "ground": {{ "D": [0, 0] }},
+            "links": {{ "1": {{ "points": ["F"], "drive": {{ "position": 5, "speed": 40 }} }}, "2": {{ "points": ["D", "C"], "lengths": {{ "CD": 50 }} }} }},
+            "sliders": [{{ "link": "1", "at": "F", "on": "ground", "through": [0, -71], "along": 0 }}],
+            "gears": [{{ "mesh": ["2", "1"], "teeth": [28, "rack"], "radius": 71, "on": "ground" }}],
+            "forces": [{{ "on": "1", "at": "F", "force": [0, -{times}] }}], "friction": [{{ "guide": "1/ground", "angle": {degrees} }}] }}"#
+        );
+        let result = solution(scene).result();
+        let found = &result.forces.as_ref().expect("forces").drives["1"];
+        hold("F(1)", found.force.expect("a force"), found.error, &(truth::exactly(f64::from(times)) * &tangent));
+    }
+    // The pitch point of a wheel on a rack is below its axis by the radius.
+    let radius = "70.0000000000000066";
+    let scene = format!(
+        r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": {{ "D": [0, 0] }},
+        "links": {{ "1": {{ "points": ["F"], "drive": {{ "position": 5, "speed": 40 }} }}, "2": {{ "points": ["D", "C"], "lengths": {{ "CD": 50 }} }} }},
+        "sliders": [{{ "link": "1", "at": "F", "on": "ground", "through": [0, -71], "along": 0 }}],
+        "gears": [{{ "mesh": ["2", "1"], "teeth": [28, "rack"], "radius": {radius}, "on": "ground" }}], "want": ["P(1,2)"] }}"#
+    );
+    let result = solution(scene).whole_result().expect("it has values");
+    let result = serde_json::to_value(result).expect("a result is JSON");
+    let found = &result["centers"]["P(1,2)"];
+    let (value, bound) = (found["position"][1].as_f64().expect("a place"), found["error"].as_f64().expect("its bound"));
+    hold("P(1,2).y", value, bound, &-truth::decimal(radius));
+    assert_eq!(compared, 79);
 }

@@ -28,7 +28,7 @@ fn five_bar(angle: f64) -> Scene {
 fn geared(scene: &Scene, weights: &[(&str, i32)], constant: f64) -> Mechanism {
     let add = |mechanism: &mut Mechanism| {
         let terms = weights.iter().map(|&(name, weight)| (mechanism.link(name).unwrap_or(GROUND), weight)).collect();
-        let angular = AngularConstraint::degrees(terms, constant);
+        let angular = AngularConstraint::phased(terms, 1, constant);
         let bodies = [angular.terms[0].0, angular.terms[1].0];
         mechanism.joints.push(Joint {
             letter: 'G',

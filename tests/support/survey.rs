@@ -66,6 +66,9 @@ pub const CONSTRUCTED: By<usize> = By(12, 100, 667);
 /// Positions of each starting scene in `whole_errors`.
 pub const WHOLE_POSITIONS: By<u32> = By(1, 2, 60);
 
+/// Degrees between two positions of `geared_errors`.
+pub const GEARED_STEP: By<usize> = By(61, 19, 1);
+
 /// Mechanisms of `free_bodies`.
 pub const FREE_BODIES: By<u64> = By(30, 300, 2000);
 

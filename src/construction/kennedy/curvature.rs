@@ -246,7 +246,7 @@ impl Writer<'_> {
         if self.motion.order != Order::Acceleration {
             return None;
         }
-        let from = Pair::<Ball>::from(self.construction.origin.coords);
+        let from = Pair::within(self.construction.origin.coords, 0.0);
         let [at, drawn] = [at, center].map(|place| self.exact_place(place) + from);
         let moved = center_of_curvature(self.motion, link, at);
         let scale = self.size.max((drawn - at).rounded().norm());
@@ -263,13 +263,11 @@ const FLAT: f64 = 1e-6;
 /// The centre of curvature of the path of a link's point by its velocity and acceleration, with the bound of its error: C + J v · v²/(v × a).
 fn center_of_curvature(motion: &Motion, link: BodyId, at: Pair<Ball>) -> Pair<Ball> {
     let (body, error) = (motion.body(link), motion.error(link));
-    let vector = |value: Vector, error: Vector| Pair {
-        x: Ball::from(value.x).widened(error.x),
-        y: Ball::from(value.y).widened(error.y),
-    };
-    let omega = Ball::from(body.omega).widened(error.omega);
-    let alpha = Ball::from(body.alpha).widened(error.alpha);
-    let arm = at - Pair::<Ball>::from(body.at.coords);
+    let vector =
+        |value: Vector, error: Vector| Pair { x: Ball::within(value.x, error.x), y: Ball::within(value.y, error.y) };
+    let omega = Ball::within(body.omega, error.omega);
+    let alpha = Ball::within(body.alpha, error.alpha);
+    let arm = at - Pair::within(body.at.coords, 0.0);
     let velocity = vector(body.velocity, error.velocity) + arm.quarter_turn() * omega;
     let acceleration =
         vector(body.acceleration, error.acceleration) + arm.quarter_turn() * alpha - arm * (omega * omega);

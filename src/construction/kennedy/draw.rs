@@ -116,7 +116,8 @@ impl Writer<'_> {
             let joint = self.mechanism.joint(id);
             if let Some(rolling) = joint.rolling().filter(|_| joint.bodies.iter().all(|body| links.contains(body))) {
                 let exact = |point: PointId| Pair::between(self.construction.origin, self.pose.point(point));
-                let exact = rolling.point(exact, |guide| self.pose.guide(guide).into(), Ball::from);
+                let exact =
+                    rolling.point(exact, |guide| Pair::within(self.pose.guide(guide), 0.0), |x| Ball::within(x, 0.0));
                 let role = OperationRole::Center(CenterId(self.drawn_centers().all.len()));
                 let place = self.plot_exact(Sheet::Centers, role, exact);
                 let at = Place::At(self.construction.origin + exact.rounded());
@@ -289,7 +290,7 @@ impl Writer<'_> {
     fn compare_centers(&mut self, wanted: &[LinkPair]) {
         let (mut agreement, motion): (Option<Agreement>, &Motion) = (None, self.motion);
         let reach = self.size / PARALLEL;
-        let from = Pair::<Ball>::from(self.construction.origin.coords);
+        let from = Pair::within(self.construction.origin.coords, 0.0);
         let centers = self.drawn_centers().clone();
         for center in centers.all.iter().filter(|center| center.figure == FigureOf::Mechanism) {
             let (Spot::At(place), false) = (center.spot, center.is_permanent()) else { continue };
@@ -336,19 +337,19 @@ pub(super) const PARALLEL: f64 = 1e-13;
 /// The centre of two links by their motion, with the bound of its error: twists are taken about a point near it. None of one farther away than
 /// `reach`, which counts as at infinity.
 fn moving_center(motion: &Motion, pair: LinkPair, near: Vector, reach: f64) -> Option<Pair<Ball>> {
-    let near = Pair { x: near.x.into(), y: near.y.into() };
+    let near = Pair::within(near, 0.0);
     let [first, second] = pair.links().map(|link| {
         let (body, error) = (motion.body(link), motion.error(link));
-        let omega = Ball::from(body.omega).widened(error.omega);
-        let at = Pair::<Ball>::from(body.at.coords);
+        let omega = Ball::within(body.omega, error.omega);
+        let at = Pair::within(body.at.coords, 0.0);
         let velocity = Pair {
-            x: Ball::from(body.velocity.x).widened(error.velocity.x),
-            y: Ball::from(body.velocity.y).widened(error.velocity.y),
+            x: Ball::within(body.velocity.x, error.velocity.x),
+            y: Ball::within(body.velocity.y, error.velocity.y),
         };
         (omega, velocity + (near - at).quarter_turn() * omega)
     });
     let turning = second.0 - first.0;
-    let center = near + (second.1 - first.1).quarter_turn() * (Ball::from(1.0) / turning);
+    let center = near + (second.1 - first.1).quarter_turn() * (Ball::from(1) / turning);
     let is_near = |center: &Pair<Ball>| (center.rounded() - near.rounded()).norm() < reach;
     Some(center).filter(|center| center.x.is_known() && center.y.is_known() && is_near(center))
 }

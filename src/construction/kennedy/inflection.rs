@@ -110,7 +110,7 @@ impl Writer<'_> {
         if self.motion.order != Order::Acceleration {
             return None;
         }
-        let from = Pair::<Ball>::from(self.construction.origin.coords);
+        let from = Pair::within(self.construction.origin.coords, 0.0);
         let [pole, drawn] = [pole, found].map(|place| self.exact_place(place) + from);
         let moved = moved(self.motion, link).inflection_pole();
         let scale = self.size.max((drawn - pole).rounded().norm());
@@ -124,15 +124,13 @@ impl Writer<'_> {
 /// The motion of a link with the bounds of its errors.
 fn moved(motion: &Motion, link: BodyId) -> Moved<Ball> {
     let (body, error) = (motion.body(link), motion.error(link));
-    let vector = |value: Vector, error: Vector| Pair {
-        x: Ball::from(value.x).widened(error.x),
-        y: Ball::from(value.y).widened(error.y),
-    };
+    let vector =
+        |value: Vector, error: Vector| Pair { x: Ball::within(value.x, error.x), y: Ball::within(value.y, error.y) };
     Moved {
-        at: Pair::from(body.at.coords),
+        at: Pair::within(body.at.coords, 0.0),
         velocity: vector(body.velocity, error.velocity),
         acceleration: vector(body.acceleration, error.acceleration),
-        omega: Ball::from(body.omega).widened(error.omega),
-        alpha: Ball::from(body.alpha).widened(error.alpha),
+        omega: Ball::within(body.omega, error.omega),
+        alpha: Ball::within(body.alpha, error.alpha),
     }
 }

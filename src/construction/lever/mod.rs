@@ -156,10 +156,12 @@ impl Writer<'_> {
         let step = self.begin(Sheet::Lever);
         let pole = self.pole(Sheet::Lever, &format!("p{}", index + 1), Vector::zeros());
         let mechanism = self.mechanism;
-        let image = |body: BodyId, at: Pair<Ball>| turned(state.body(body).referred_to(at).velocity) * Ball::from(rate);
+        let image =
+            |body: BodyId, at: Pair<Ball>| turned(state.body(body).referred_to(at).velocity) * Ball::within(rate, 0.0);
         let mut links = Vec::new();
         for (body, own) in mechanism.links().filter(|(_, body)| body.role != Role::Unsolved) {
-            let at = |point: &PointId| (*point, image(body, self.pose.point(*point).coords.into()).rounded());
+            let at =
+                |point: &PointId| (*point, image(body, Pair::within(self.pose.point(*point).coords, 0.0)).rounded());
             links.push((body, own.points.iter().map(at).collect::<Vec<_>>()));
         }
         self.finish(step, Action::Lever(LeverStep::Turn(index)));
@@ -186,8 +188,9 @@ impl Writer<'_> {
                         put.extend(self.couple_on_lever(load, acting.couple, places, images));
                     }
                     // A link that is one point on the drawing.
-                    None => of_load
-                        .extend(self.power_of_couple(acting.couple, state.body(acting.body).omega * Ball::from(rate))),
+                    None => of_load.extend(
+                        self.power_of_couple(acting.couple, state.body(acting.body).omega * Ball::within(rate, 0.0)),
+                    ),
                 }
             }
             for put in put {
@@ -250,7 +253,8 @@ impl Writer<'_> {
             fixed.into_iter().any(|(bodies, _)| bodies.contains(&body) && bodies.contains(other))
         };
         let farthest = |body: BodyId| {
-            let points = mechanism.body(body).points.iter().map(|point| self.pose.point(*point).coords.into());
+            let points =
+                mechanism.body(body).points.iter().map(|point| Pair::within(self.pose.point(*point).coords, 0.0));
             let loads = computed.acting.iter().filter(|load| load.body == body).map(|load| load.at);
             let mut places = points.chain(loads);
             let from: Pair<Ball> = places.next()?;
@@ -309,10 +313,10 @@ impl Writer<'_> {
             }
             let exact = &mut construction.record.exact;
             if let Some(place) = operation.kind.place() {
-                exact.places[place.0] = exact.places[place.0] + by.into();
+                exact.places[place.0] = exact.places[place.0] + Pair::within(by, 0.0);
             }
             if let Some(line) = operation.kind.line() {
-                exact.lines[line.0].0 = exact.lines[line.0].0 + by.into();
+                exact.lines[line.0].0 = exact.lines[line.0].0 + Pair::within(by, 0.0);
             }
         }
     }

@@ -20,7 +20,7 @@ impl Statics<'_, '_> {
             seen.extend([(force.x, carried.x, 1.0), (force.y, carried.y, 1.0)]);
         }
         for (&slider, couple) in &self.couples {
-            let found = exact.numbers[couple.size.0] * Ball::from(couple.sign);
+            let found = exact.numbers[couple.size.0].signed(couple.sign);
             seen.push((found, self.computed.couple(mechanism, slider), self.writer.size));
             self.plan.numbers.couples.insert(slider, (couple.size, couple.sign));
         }

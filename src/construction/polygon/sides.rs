@@ -4,7 +4,7 @@ use super::statics::{Force, Statics};
 use super::{ForceOf, ForcePart, ForceStep, FoundForce, Polygon, Side, SideKind, WholeForce};
 use crate::construction::number::{NumberKind, Product};
 use crate::construction::operation::{Along, MeasuredAs, OperationKind, OperationRole, PlaceId};
-use crate::geometry::{Ball, Vector};
+use crate::geometry::{Ball, Pair, Vector};
 use crate::mechanism::{BodyId, GROUND, JointId};
 use crate::sheet::Sheet;
 
@@ -50,7 +50,7 @@ impl Statics<'_, '_> {
         chain.end = self.writer.lay_off(Sheet::Forces, from, sum, force.along);
         if let Some(exact) = force.exact {
             let places = &mut self.writer.construction.record.exact.places;
-            places[chain.end.0] = places[from.0] + exact * Ball::from(force.sign);
+            places[chain.end.0] = places[from.0] + exact * Ball::from(1).signed(force.sign);
         }
         let side = self.add_side(chain.polygon, force.of, [from, chain.end], SideKind::Known);
         self.finish(step, ForceStep::LayOff(chain.polygon, side));
@@ -192,12 +192,12 @@ impl Statics<'_, '_> {
             if let Some(place) = operation.kind.place() {
                 places[place.0] = Some(polygon);
                 let exact = &mut construction.record.exact.places[place.0];
-                *exact = *exact + by.into();
+                *exact = *exact + Pair::within(by, 0.0);
             }
             if let Some(line) = operation.kind.line() {
                 lines[line.0] = Some(polygon);
                 let exact = &mut construction.record.exact.lines[line.0].0;
-                *exact = *exact + by.into();
+                *exact = *exact + Pair::within(by, 0.0);
             }
         }
         for (polygon, by) in self.plan.polygons.iter_mut().zip(moved) {

@@ -4,7 +4,7 @@ use super::statics::{Force, Statics};
 use super::{ForcePart, MomentPoint};
 use crate::construction::number::{NumberKind, Product};
 use crate::construction::operation::{Along, OperationRole, PlaceId};
-use crate::geometry::{Ball, Pair};
+use crate::forces::Counted;
 use crate::mechanism::{BodyId, Group, JointId, Rolling};
 use crate::motion::Places;
 use crate::sheet::Sheet;
@@ -87,8 +87,7 @@ impl Statics<'_, '_> {
                 (outwards, if rack.wheel == 0 { outwards.turned(2) } else { outwards }, rack.pressure_deg)
             }
         };
-        let line = Pair::direction_of_degrees(Ball::decimal(pressure));
-        Some(Teeth { at, tangent: outwards.turned(1), apart, slope: (line.y / line.x).high })
+        Some(Teeth { at, tangent: outwards.turned(1), apart, slope: pressure.tangent_and_sine()[0] })
     }
 
     /// The pitch point of a mesh on the scheme.
@@ -98,7 +97,7 @@ impl Statics<'_, '_> {
         }
         let pose = self.writer.pose;
         let rolling = self.mechanism().joint(mesh).rolling()?;
-        let at = rolling.point(|point| pose.place(point), |slider| Places::guide(pose, slider), Ball::from);
+        let at = rolling.point(|point| pose.place(point), |slider| Places::guide(pose, slider), |x| pose.given(x));
         let place = self.writer.plot_place(OperationRole::Pitch(mesh), at);
         self.pitch_places.insert(mesh, place);
         Some(place)

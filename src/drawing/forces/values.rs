@@ -29,7 +29,7 @@ pub(in crate::drawing) fn results(context: &SheetContext<'_>) -> Vec<Result> {
             all.push((teller.force_symbol(of), force, QuantityKind::Force));
             continue;
         };
-        let guide: Pair<_> = context.solution.pose.guide(slider).into();
+        let guide = Pair::within(context.solution.pose.guide(slider), 0.0);
         let normal = shown(forces.normal(mechanism, slider, guide).high, largest);
         let couple = shown(forces.couple(mechanism, slider).high, largest * size);
         all.push((teller.guide_symbol(slider), normal, QuantityKind::Force));

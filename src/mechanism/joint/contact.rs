@@ -75,7 +75,7 @@ impl Contact {
     }
 
     /// Where the profiles touch; `None` where no radii say it.
-    pub fn point<N: Number + From<f64>>(&self, at: &impl Touching<N>) -> Option<Pair<N>> {
+    pub fn point<N: Number + From<i32>>(&self, at: &impl Touching<N>) -> Option<Pair<N>> {
         match self.touch {
             Touch::Arcs { centers, radii, .. } => {
                 let [first, second] = radii?.map(|radius| at.given(radius));
@@ -90,11 +90,11 @@ impl Contact {
     }
 
     /// The common normal, of length 1: from the first centre towards the second, or into the flat profile.
-    pub fn normal<N: Number + From<f64>>(&self, at: &impl Touching<N>) -> Pair<N> {
+    pub fn normal<N: Number + From<i32>>(&self, at: &impl Touching<N>) -> Pair<N> {
         match self.touch {
             Touch::Arcs { centers: [from, to], .. } => {
                 let arm = at.place(to) - at.place(from);
-                let one = N::from(1.0) / arm.dot(arm).sqrt();
+                let one = N::from(1) / arm.dot(arm).sqrt();
                 arm * one
             }
             Touch::Face { slider, .. } => at.guide(slider).quarter_turn(),
@@ -106,7 +106,7 @@ impl Contact {
     /// Where they touch, with n from centre to centre and ω_e of the equivalent link, each profile moves against the link as a wheel about its centre:
     /// v = r₁ (ω₁ − ω_e) + r₂ (ω₂ − ω_e), for radii of which the sum is positive. A flat profile has the pin's own sliding v_r besides: v = r (ω₁ − ω₂) − v_r,
     /// as the normal turned by +90° is the guide's direction backwards.
-    pub fn sliding<N: Number + From<f64>>(&self, at: &impl Touching<N>) -> Option<N> {
+    pub fn sliding<N: Number + From<i32>>(&self, at: &impl Touching<N>) -> Option<N> {
         let [first, second] = self.bodies.map(|body| at.omega(body));
         match self.touch {
             Touch::Arcs { link, radii, .. } => {
@@ -123,7 +123,7 @@ impl Contact {
     }
 
     /// The angular velocity of the roller, which rolls on the first profile: r₁ (ω₁ − ω_e) + r₂ (ω − ω_e) = 0. `None` without a roller.
-    pub fn roller<N: Number + From<f64>>(&self, at: &impl Touching<N>) -> Option<N> {
+    pub fn roller<N: Number + From<i32>>(&self, at: &impl Touching<N>) -> Option<N> {
         let Touch::Arcs { link, radii, .. } = self.touch else { return None };
         let [one, other] = radii.filter(|_| self.has_roller)?.map(|radius| at.given(radius));
         let link = at.omega(link);

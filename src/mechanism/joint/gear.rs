@@ -47,9 +47,10 @@ fn of_wheels(mechanism: &Mechanism, gear: &scene::Gear, carrier: BodyId, joint: 
     let common = common_divisor(gear.teeth[0], gear.teeth[1]);
     let [first, second] = gear.teeth.map(|teeth| teeth / common);
     let second = if gear.belt == Some(scene::Belt::Open) { -second } else { second };
-    let angular = AngularConstraint::degrees(
+    let angular = AngularConstraint::phased(
         smallvec![(joint.bodies[0], first), (joint.bodies[1], second), (carrier, -(first + second))],
-        f64::from(second) * gear.phase_deg,
+        second,
+        gear.phase_deg,
     );
     let joint = Joint { angular: Some(angular), ..joint };
     if let Some(kind) = gear.belt {
@@ -104,7 +105,7 @@ fn of_rack(
     let rack =
         Rack { wheel, center, slider: last, side, radius, teeth: gear.teeth[wheel], pressure_deg: gear.pressure_deg };
     Some(Joint {
-        angular: Some(AngularConstraint { travel: Some(travel), ..AngularConstraint::degrees(terms, 0.0) }),
+        angular: Some(AngularConstraint { travel: Some(travel), ..AngularConstraint::phased(terms, 0, 0.0) }),
         rack: Some(rack),
         marks: smallvec![Mark::Wheel { center, radius: given.radius }],
         ..joint

@@ -61,14 +61,14 @@ pub struct Pitch {
 impl Pitch {
     /// How far from the first centre towards the second it lies, in parts of their distance: z₁ / (z₁ + z₂), beyond the wheel in a ring.
     #[must_use]
-    pub fn share<N: Number + From<f64>>(&self) -> N {
-        let [first, second] = self.teeth.map(f64::from);
+    pub fn share<N: Number + From<i32>>(&self) -> N {
+        let [first, second] = self.teeth;
         N::from(first) / N::from(first + second)
     }
 
     /// The pitch point where the centres are at these places.
     #[must_use]
-    pub fn point<N: Number + From<f64>>(&self, [first, second]: [Pair<N>; 2]) -> Pair<N> {
+    pub fn point<N: Number + From<i32>>(&self, [first, second]: [Pair<N>; 2]) -> Pair<N> {
         first.plus_scaled(second - first, self.share())
     }
 }
@@ -95,8 +95,8 @@ pub struct Rack {
 impl Rack {
     /// The pitch point where the wheel's centre is at this place and the guide has this unit direction; `radius` is that of the rack in such numbers.
     #[must_use]
-    pub fn point<N: Number + From<f64>>(&self, center: Pair<N>, guide: Pair<N>, radius: N) -> Pair<N> {
-        center.plus_scaled(guide.quarter_turn(), radius * N::from(-self.side))
+    pub fn point<N: Number + From<i32>>(&self, center: Pair<N>, guide: Pair<N>, radius: N) -> Pair<N> {
+        center.plus_scaled(guide.quarter_turn(), radius * N::from(if self.side < 0.0 { 1 } else { -1 }))
     }
 }
 
@@ -137,7 +137,7 @@ pub enum Rolling {
 impl Rolling {
     /// The pitch point, with these places of points and unit directions of guides; `number` makes such a number of one of the scene.
     #[must_use]
-    pub fn point<N: Number + From<f64>>(
+    pub fn point<N: Number + From<i32>>(
         &self,
         place: impl Fn(PointId) -> Pair<N>,
         guide: impl Fn(SliderId) -> Pair<N>,
@@ -184,12 +184,44 @@ pub struct AngularConstraint {
     /// The bodies and their weights.
     pub terms: SmallVec<[(BodyId, i32); 3]>,
     /// The constant angle; not used in a drawn configuration.
-    pub constant: Turn,
-    /// The same in degrees, with its whole turns: these count where an angle is found by a division, as that of a wheel with twice as many
-    /// teeth.
-    pub constant_deg: f64,
+    pub constant: Constant,
     /// What slides as the bodies turn, for a wheel and its rack.
     pub travel: Option<Travel>,
+}
+
+/// The constant angle of a relation between angles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Constant {
+    /// Between two bodies that turn alike, rounded: where it has to be known with its error it is found from the joint that keeps it.
+    Fixed(Turn),
+    /// So many times an angle of the scene.
+    Phase {
+        /// How many times.
+        times: i32,
+        /// The angle in degrees, as the scene gives it.
+        degrees: f64,
+    },
+}
+
+impl Constant {
+    /// In degrees, rounded, with its whole turns: these count where an angle is found by a division, as that of a wheel with twice as many
+    /// teeth.
+    #[must_use]
+    pub fn rounded_degrees(self) -> f64 {
+        match self {
+            Constant::Fixed(turn) => degrees_of(turn * Vector::x()),
+            Constant::Phase { times, degrees } => f64::from(times) * degrees,
+        }
+    }
+
+    /// As a rotation, rounded.
+    #[must_use]
+    pub fn rounded(self) -> Turn {
+        match self {
+            Constant::Fixed(turn) => turn,
+            Constant::Phase { .. } => turn_of_degrees(self.rounded_degrees()),
+        }
+    }
 }
 
 /// What slides as angles change: these, each times its weight, add up to the travel of sliders from a start, divided by the radius of a wheel.
@@ -204,26 +236,25 @@ pub struct Travel {
 }
 
 impl AngularConstraint {
-    /// The relation with this constant, in degrees.
+    /// The relation whose constant is so many times an angle of the scene, in degrees.
     #[must_use]
-    pub fn degrees(terms: SmallVec<[(BodyId, i32); 3]>, constant_deg: f64) -> AngularConstraint {
-        AngularConstraint { terms, constant: turn_of_degrees(constant_deg), constant_deg, travel: None }
+    pub fn phased(terms: SmallVec<[(BodyId, i32); 3]>, times: i32, degrees: f64) -> AngularConstraint {
+        AngularConstraint { terms, constant: Constant::Phase { times, degrees }, travel: None }
     }
 
     /// The constant angle `turn` from the first body to the second.
     #[must_use]
     pub fn fixed([first, second]: [BodyId; 2], turn: Turn) -> AngularConstraint {
-        let constant_deg = degrees_of(turn * Vector::x());
         let terms = smallvec![(first, -1), (second, 1)];
-        AngularConstraint { terms, constant: turn, constant_deg, travel: None }
+        AngularConstraint { terms, constant: Constant::Fixed(turn), travel: None }
     }
 
     /// The two bodies with a constant angle between them, and the rotation from the frame of the first to that of the
     /// second; `None` for any other relation. Such bodies have one angular rate, so that the relation needs no equation.
     #[must_use]
     pub fn as_fixed_angle(&self) -> Option<([BodyId; 2], Turn)> {
-        match *self.terms.as_slice() {
-            [(first, -1), (second, 1)] if self.travel.is_none() => Some(([first, second], self.constant)),
+        match (self.terms.as_slice(), self.constant) {
+            (&[(first, _), (second, _)], Constant::Fixed(turn)) => Some(([first, second], turn)),
             _ => None,
         }
     }

@@ -112,14 +112,14 @@ mod exact {
             let ball = Ball::decimal(exact);
             assert!(ball.error_from(exact) <= 1e-28 * exact.abs(), "{exact} {ball:?}");
         }
-        assert_eq!(Ball::decimal(1e22), Ball::from(1e22));
+        assert_eq!(Ball::decimal(1e22), Ball::within(1e22, 0.0));
         // A text of many digits: 50 and 7 · 10⁻²⁴; the two f64 of 10⁻³⁰⁰ and the next digits.
         let long = Ball::of_decimal("50.000000000000000000000007");
         assert!(long.high == 50.0 && (long.low - 7e-24).abs() <= long.radius && long.radius < 1e-28, "{long:?}");
         let small = Ball::of_decimal("-1.00e-300");
         assert!(small.error_from(-1e-300) < 1e-305, "{small:?}");
         let third = format!("0.{}", "3".repeat(60));
-        let off = Ball::of_decimal(&third) - Ball::from(1.0) / Ball::from(3.0);
+        let off = Ball::of_decimal(&third) - Ball::from(1) / Ball::from(3);
         assert!(off.high.abs() <= off.radius && off.radius < 1e-30, "{off:?}");
     }
 
@@ -128,8 +128,8 @@ mod exact {
         use kinegon::geometry::direction_of_degrees;
         // 10²² and 2⁵⁵ are exact in f64, and leave 280 and 128 of 360.
         for (huge, small) in [(1e22, 280.0), (-1e22, -280.0), (36_028_797_018_963_968.0, 128.0)] {
-            let Pair { x, y } = Pair::direction_of_degrees(Ball::from(huge));
-            let want = Pair::direction_of_degrees(Ball::from(small));
+            let Pair { x, y } = Pair::direction_of_degrees(Ball::within(huge, 0.0));
+            let want = Pair::direction_of_degrees(Ball::within(small, 0.0));
             assert!(x == want.x && y == want.y, "{huge}");
             assert_eq!(direction_of_degrees(huge), direction_of_degrees(small));
         }
@@ -138,15 +138,15 @@ mod exact {
     #[test]
     fn directions_have_twenty_nine_digits() {
         // cos 30° = √3/2, sin 30° = 1/2; cos 45° = √½.
-        let [half, three] = [0.5, 3.0].map(Ball::from);
+        let [half, three] = [0.5, 3.0].map(|x| Ball::within(x, 0.0));
         for (degrees, cosine, sine) in [
             (30.0, half * three.sqrt(), half),
             (-330.0, half * three.sqrt(), half),
             (120.0, -half, half * three.sqrt()),
             (-135.0, -half.sqrt(), -half.sqrt()),
-            (270.0, Ball::default(), Ball::from(-1.0)),
+            (270.0, Ball::default(), Ball::from(-1)),
         ] {
-            let Pair { x, y } = Pair::direction_of_degrees(Ball::from(degrees));
+            let Pair { x, y } = Pair::direction_of_degrees(Ball::within(degrees, 0.0));
             for (got, truth) in [(x, cosine), (y, sine)] {
                 assert!(
                     (got - truth).error_from(0.0) < 1e-29 && got.error_from(truth.high) < 1e-15,
@@ -154,7 +154,7 @@ mod exact {
                 );
             }
         }
-        let near = Pair::direction_of_degrees(Ball::from(30.0).widened(1e-12));
+        let near = Pair::direction_of_degrees(Ball::within(30.0, 1e-12));
         assert!(near.y.radius > 1.7e-14 && near.y.radius < 1.8e-14);
     }
 }
@@ -232,7 +232,7 @@ mod ball {
             let exact = |ball: Ball| (Ball { radius: 0.0, ..ball }, precise(ball.high) + precise(ball.low));
             let (a, x) = exact(a);
             let small = libm::exp2(f64::from(-4 * digits));
-            let (b, y) = exact(a + b * small.into());
+            let (b, y) = exact(a + b * Ball::within(small, 0.0));
             for (result, number) in [(a - b, &x - &y), (a + b, &x + &y), (a * b, &x * &y)] {
                 prop_assert!(holds(result, &number), "{a:?}, {b:?} give {result:?}");
                 prop_assert!(result.radius <= ROUNDING * result.high.abs() * (1.0 + 16.0 * f64::EPSILON));

@@ -30,8 +30,8 @@ impl Neg for Single {
 }
 
 impl Number for Single {
-    fn same(self, number: f64) -> Self {
-        Single(number as f32)
+    fn eighths(self, count: i32) -> Self {
+        Single(0.125 * count as f32)
     }
 
     fn plus_product(self, a: Self, b: Self) -> Self {

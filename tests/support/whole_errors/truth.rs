@@ -31,25 +31,35 @@ pub fn error(number: f64, truth: &Real) -> f64 {
 }
 
 /// The decimal number that stands in the scene.
-fn number(value: &Value) -> Real {
-    let text = format!("{:e}", value.as_f64().expect("a number"));
-    let (mantissa, power) = text.split_once('e').expect("a power");
+pub fn number(value: &Value) -> Real {
+    decimal(&format!("{:e}", value.as_f64().expect("a number")))
+}
+
+/// The decimal number that `text` writes, exactly but for the last of 256 bits.
+pub fn decimal(text: &str) -> Real {
+    let (mantissa, power) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, rest)| rest.len() as i32);
-    let digits: i64 = mantissa.replace('.', "").parse().expect("digits");
+    let digits: i128 = mantissa.replace('.', "").parse().expect("digits");
     let power = power.parse::<i32>().expect("a power") - decimals;
     let scale = (0..power.abs()).fold(exactly(1.0), |scale, _| scale * exactly(10.0));
     let whole = Real::from(digits).with_precision(BITS).value();
     if power < 0 { whole / scale } else { whole * scale }
 }
 
-fn pair(value: &Value) -> Pair {
+pub(super) fn pair(value: &Value) -> Pair {
     // A lone number is a distance along the axis.
     if value.is_number() { [number(value), exactly(0.0)] } else { [number(&value[0]), number(&value[1])] }
 }
 
-/// Cosine and sine of an angle in degrees, by Taylor's series of a sixteenth of it.
+/// Cosine and sine of an angle in degrees.
 pub fn direction(degrees: &Value) -> Pair {
-    let turned = number(degrees) * pi() / exactly(180.0 * 16.0);
+    direction_of(&number(degrees))
+}
+
+/// The same, by Taylor's series of a sixteenth of what is left without whole turns.
+pub fn direction_of(degrees: &Real) -> Pair {
+    let turns = (rounded(degrees) / 360.0).round();
+    let turned = (degrees - exactly(turns) * exactly(360.0)) * pi() / exactly(180.0 * 16.0);
     let square = turned.clone() * turned.clone();
     let series = |first: u32| {
         (0..40).rev().fold(exactly(1.0), |rest, term| {
@@ -65,7 +75,7 @@ pub fn direction(degrees: &Value) -> Pair {
 }
 
 /// Machin's formula.
-fn pi() -> Real {
+pub(super) fn pi() -> Real {
     let arctangent = |k: f64| {
         let square = exactly(k * k);
         let (mut power, mut sum) = (exactly(1.0) / exactly(k), exactly(0.0));
@@ -80,11 +90,11 @@ fn pi() -> Real {
 }
 
 /// `v` turned by the angle of `by`.
-fn turn(by: &Pair, v: &Pair) -> Pair {
+pub(super) fn turn(by: &Pair, v: &Pair) -> Pair {
     [&by[0] * &v[0] - &by[1] * &v[1], &by[0] * &v[1] + &by[1] * &v[0]]
 }
 
-fn quarter(v: &Pair) -> Pair {
+pub(super) fn quarter(v: &Pair) -> Pair {
     [-v[1].clone(), v[0].clone()]
 }
 
@@ -96,7 +106,7 @@ pub fn minus(a: &Pair, b: &Pair) -> Pair {
     [&a[0] - &b[0], &a[1] - &b[1]]
 }
 
-fn times(v: &Pair, s: &Real) -> Pair {
+pub(super) fn times(v: &Pair, s: &Real) -> Pair {
     [&v[0] * s, &v[1] * s]
 }
 
@@ -108,39 +118,39 @@ pub fn cross(a: &Pair, b: &Pair) -> Real {
     &a[0] * &b[1] - &a[1] * &b[0]
 }
 
-fn unit(v: &Pair) -> Pair {
+pub(super) fn unit(v: &Pair) -> Pair {
     let length = dot(v, v).sqrt();
     [&v[0] / &length, &v[1] / &length]
 }
 
 /// A link (the frame is the first): its points on itself, and where it is.
-struct Link {
-    name: String,
-    points: Vec<(String, Pair)>,
-    origin: Pair,
+pub(super) struct Link {
+    pub(super) name: String,
+    pub(super) points: Vec<(String, Pair)>,
+    pub(super) origin: Pair,
     /// Cosine and sine of its angle.
-    angle: Pair,
-    rates: [Rates; 2],
+    pub(super) angle: Pair,
+    pub(super) rates: [Rates; 2],
 }
 
 /// Rates of a link: of its origin and of its angle.
 #[derive(Clone)]
-struct Rates {
+pub(super) struct Rates {
     origin: Pair,
-    turn: Real,
+    pub(super) turn: Real,
 }
 
 impl Link {
-    fn place(&self, own: &Pair) -> Pair {
+    pub(super) fn place(&self, own: &Pair) -> Pair {
         plus(&self.origin, &turn(&self.angle, own))
     }
 
-    fn own(&self, name: &str) -> Option<&Pair> {
+    pub(super) fn own(&self, name: &str) -> Option<&Pair> {
         self.points.iter().find(|(n, _)| n == name).map(|(_, own)| own)
     }
 
     /// Velocity and acceleration of its point at `place`.
-    fn motion(&self, place: &Pair) -> [Pair; 2] {
+    pub(super) fn motion(&self, place: &Pair) -> [Pair; 2] {
         let [first, second] = &self.rates;
         let arm = minus(place, &self.origin);
         let velocity = plus(&first.origin, &times(&quarter(&arm), &first.turn));
@@ -150,21 +160,38 @@ impl Link {
 }
 
 /// A guide and what slides on it.
-struct Guide {
+pub(super) struct Guide {
     name: String,
     /// The sliding link, which keeps its angle; none for a pin.
-    link: Option<usize>,
+    pub(super) link: Option<usize>,
     /// Some link with the sliding point, and the point on it.
-    carrier: usize,
-    at: String,
-    on: usize,
+    pub(super) carrier: usize,
+    pub(super) at: String,
+    pub(super) on: usize,
     /// On the link with the guide: a place of the guide and its unit direction.
     through: Pair,
     along: Pair,
     /// From the guide to the sliding link.
     turned: Pair,
     /// Position, speed and acceleration.
-    drive: Option<[Real; 3]>,
+    pub(super) drive: Option<[Real; 3]>,
+    /// How far the point is from the guide, to its right: of a pin on a flat profile the radius about it.
+    beside: Real,
+}
+
+/// What wheels keep, or a wheel and what slides: Σ weight · angle = constant + Σ weight · position / radius.
+struct Tie {
+    turning: Vec<(usize, i64)>,
+    /// By guide.
+    sliding: Vec<(usize, Real)>,
+    /// In degrees.
+    constant: Real,
+}
+
+/// Two round profiles that touch: the links, their centres, and how far these are apart.
+pub(super) struct Touch {
+    pub(super) ends: [(usize, String); 2],
+    apart: Real,
 }
 
 /// An equation: its gap, its coefficients by unknown rate, and its right sides for velocities and accelerations.
@@ -176,11 +203,13 @@ struct Equation {
 
 /// A scene from lengths or as drawn.
 pub struct Truth {
-    links: Vec<Link>,
-    guides: Vec<Guide>,
+    pub(super) links: Vec<Link>,
+    pub(super) guides: Vec<Guide>,
+    ties: Vec<Tie>,
+    pub(super) touches: Vec<Touch>,
     /// Links with a given angle, and those that are driven: angular velocity and acceleration.
     angles: Vec<(usize, Pair)>,
-    drives: Vec<(usize, [Real; 2])>,
+    pub(super) drives: Vec<(usize, [Real; 2])>,
     is_drawn: bool,
 }
 
@@ -240,8 +269,15 @@ impl Truth {
             links.push(link(name, own));
         }
         let index = |name: &str| links.iter().position(|l| l.name == name).expect("a link");
-        let mut truth =
-            Truth { guides: Vec::new(), angles: Vec::new(), drives: Vec::new(), is_drawn, links: Vec::new() };
+        let mut truth = Truth {
+            guides: Vec::new(),
+            ties: Vec::new(),
+            touches: Vec::new(),
+            angles: Vec::new(),
+            drives: Vec::new(),
+            is_drawn,
+            links: Vec::new(),
+        };
         for (name, given) in scene["links"].as_object().expect("links") {
             if let Some(angle) = given.get("angle").or(given["drive"].get("angle")) {
                 truth.angles.push((index(name), direction(angle)));
@@ -262,17 +298,81 @@ impl Truth {
             }
             truth.guides.push(guide(&given, &links, is_drawn));
         }
+        for given in scene["contacts"].as_array().into_iter().flatten() {
+            let own = |which: usize| {
+                let link = index(given["links"][which].as_str().expect("a link"));
+                (link, given["centers"][which].as_str().unwrap_or_default().to_owned())
+            };
+            let radius = |which: usize| number(&given["radii"][which]);
+            if given.get("along").is_some() {
+                let (carrier, at) = own(0);
+                let mut face = given.clone();
+                face["on"] = given["links"][1].clone();
+                face["pin"] = at.clone().into();
+                truth.guides.push(Guide { carrier, beside: radius(0), ..guide(&face, &links, is_drawn) });
+            } else {
+                truth.touches.push(Touch { ends: [own(0), own(1)], apart: radius(0) + radius(1) });
+            }
+        }
         truth.links = links;
+        for given in scene["gears"].as_array().into_iter().flatten() {
+            let tie = truth.tie(given);
+            truth.ties.push(tie);
+        }
         truth
     }
 
+    /// What a pair of wheels keeps, z₁ θ₁ + z₂ θ₂ − (z₁ + z₂) θ = z₂ · phase, or a wheel and its rack, r (θ₁ − θ) = ± (s − position).
+    fn tie(&self, given: &Value) -> Tie {
+        let index =
+            |name: &Value| self.links.iter().position(|l| Some(l.name.as_str()) == name.as_str()).expect("a link");
+        let (wheels, carrier) = ([index(&given["mesh"][0]), index(&given["mesh"][1])], index(&given["on"]));
+        let is_rack = |which: usize| given["teeth"][which] == "rack";
+        if !is_rack(0) && !is_rack(1) {
+            let [first, second] = [0, 1].map(|which: usize| given["teeth"][which].as_f64().expect("teeth") as i64);
+            let second = if given["belt"] == "open" { -second } else { second };
+            let phase = given.get("phase").map_or(exactly(0.0), number);
+            let turning = vec![(wheels[0], first), (wheels[1], second), (carrier, -(first + second))];
+            return Tie { turning, sliding: Vec::new(), constant: phase * exactly(second as f64) };
+        }
+        let [wheel, rack] = if is_rack(0) { [wheels[1], wheels[0]] } else { wheels };
+        let slides = |link: usize, on: usize| self.guides.iter().position(|g| g.link == Some(link) && g.on == on);
+        let guides = match slides(rack, carrier).or_else(|| slides(carrier, rack)) {
+            Some(only) => vec![only],
+            None => vec![
+                slides(carrier, 0).expect("a carrier on the ground"),
+                slides(rack, 0).expect("a rack on the ground"),
+            ],
+        };
+        // On which side of the wheel the pitch line is, and which guides run the other way.
+        let near = |v: &Pair| [rounded(&v[0]), rounded(&v[1])];
+        let lines: Vec<[[f64; 2]; 2]> =
+            guides.iter().map(|&g| self.guide_line(&self.guides[g]).map(|v| near(&v))).collect();
+        let [along, through] = lines[lines.len() - 1];
+        let shared =
+            |(name, own): &(String, Pair)| self.links[carrier].own(name).map(|_| near(&self.links[wheel].place(own)));
+        let center = self.links[wheel].points.iter().find_map(shared).expect("the wheel's axis");
+        let off = along[0] * (center[1] - through[1]) - along[1] * (center[0] - through[0]);
+        let side = if off < -1e-9 { -1.0 } else { 1.0 };
+        let radius = number(&given["radius"]);
+        let sign = |guide: usize, [other, _]: [[f64; 2]; 2]| {
+            let onwards = if self.guides[guide].link == Some(carrier) { -side } else { side };
+            if other[0] * along[0] + other[1] * along[1] < 0.0 { -onwards } else { onwards }
+        };
+        let signs: Vec<f64> = guides.iter().zip(&lines).map(|(&guide, &line)| sign(guide, line)).collect();
+        let start = given.get("position").map_or(exactly(0.0), number) * exactly(signs[signs.len() - 1]);
+        let sliding = guides.into_iter().zip(signs).map(|(guide, sign)| (guide, exactly(sign) / &radius));
+        let constant = -start / &radius * exactly(180.0) / pi();
+        Tie { turning: vec![(wheel, 1), (carrier, -1)], sliding: sliding.collect(), constant }
+    }
+
     /// The unknowns of a link begin here; the frame has none.
-    fn column(link: usize) -> Option<usize> {
+    pub(super) fn column(link: usize) -> Option<usize> {
         link.checked_sub(1).map(|moving| 3 * moving)
     }
 
     /// The coefficients of the component along `direction` of the velocity of a link's point at `place`, times `sign`.
-    fn add(&self, terms: &mut Vec<(usize, Real)>, link: usize, place: &Pair, direction: &Pair, sign: f64) {
+    pub(super) fn add(&self, terms: &mut Vec<(usize, Real)>, link: usize, place: &Pair, direction: &Pair, sign: f64) {
         if let Some(column) = Truth::column(link) {
             let arm = minus(place, &self.links[link].origin);
             let sign = exactly(sign);
@@ -282,7 +382,7 @@ impl Truth {
         }
     }
 
-    fn add_turn(terms: &mut Vec<(usize, Real)>, link: usize, sign: f64) {
+    pub(super) fn add_turn(terms: &mut Vec<(usize, Real)>, link: usize, sign: f64) {
         if let Some(column) = Truth::column(link) {
             terms.push((column + 2, exactly(sign)));
         }
@@ -327,7 +427,8 @@ impl Truth {
             };
             // The Coriolis acceleration 2 ω v_r stands across the guide.
             let coriolis = exactly(2.0) * omega * &speed;
-            row(&across, -dot(&minus(&place, &through), &across), [zero(), coriolis]);
+            let off = -guide.beside.clone() - dot(&minus(&place, &through), &across);
+            row(&across, off, [zero(), coriolis]);
             if let Some([position, speed, acceleration]) = &guide.drive {
                 row(&along, position - slid, [speed.clone(), acceleration.clone()]);
             }
@@ -343,6 +444,8 @@ impl Truth {
                 });
             }
         }
+        equations.extend(self.ties.iter().map(|tie| self.equation_of_tie(tie)));
+        equations.extend(self.touches.iter().map(|touch| self.equation_of_touch(touch)));
         let mut turned = |link: usize, gap: Real, sides: [Real; 2]| {
             let mut terms = Vec::new();
             Truth::add_turn(&mut terms, link, 1.0);
@@ -360,8 +463,55 @@ impl Truth {
         equations
     }
 
+    fn equation_of_tie(&self, tie: &Tie) -> Equation {
+        let (mut terms, mut side, mut constant) = (Vec::new(), exactly(0.0), tie.constant.clone());
+        for &(link, weight) in &tie.turning {
+            Truth::add_turn(&mut terms, link, weight as f64);
+        }
+        for (index, weight) in &tie.sliding {
+            let guide = &self.guides[*index];
+            let [along, through] = self.guide_line(guide);
+            let place = self.links[guide.carrier].place(self.links[guide.carrier].own(&guide.at).expect("its point"));
+            constant += weight * dot(&minus(&place, &through), &along) * exactly(180.0) / pi();
+            let mut own = Vec::new();
+            self.add(&mut own, guide.carrier, &place, &along, -1.0);
+            self.add(&mut own, guide.on, &place, &along, 1.0);
+            terms.extend(own.into_iter().map(|(column, value)| (column, value * weight)));
+            side = side - weight * (self.normal(guide.on, &place, &along) - self.normal(guide.carrier, &place, &along));
+        }
+        let mut left = direction_of(&constant);
+        for &(link, weight) in &tie.turning {
+            let [cosine, sine] = self.links[link].angle.clone();
+            let back = [cosine, if weight > 0 { -sine } else { sine }];
+            (0..weight.abs()).for_each(|_| left = turn(&back, &left));
+        }
+        Equation { gap: left[1].clone(), terms, sides: [exactly(0.0), side] }
+    }
+
+    /// The centres of two profiles that touch.
+    pub(super) fn centers(&self, touch: &Touch) -> [Pair; 2] {
+        touch
+            .ends
+            .each_ref()
+            .map(|(link, center)| self.links[*link].place(self.links[*link].own(center).expect("its centre")))
+    }
+
+    fn equation_of_touch(&self, touch: &Touch) -> Equation {
+        let [first, second] = self.centers(touch);
+        let ([one, other], way) = (touch.ends.each_ref().map(|(link, _)| *link), minus(&second, &first));
+        let mut terms = Vec::new();
+        self.add(&mut terms, other, &second, &way, 1.0);
+        self.add(&mut terms, one, &first, &way, -1.0);
+        let [own, against] =
+            [(one, &first), (other, &second)].map(|(link, place)| self.links[link].motion(place)[0].clone());
+        let apart = minus(&against, &own);
+        let normal = self.normal(other, &second, &way) - self.normal(one, &first, &way);
+        let gap = (&touch.apart * &touch.apart - dot(&way, &way)) / exactly(2.0);
+        Equation { gap, terms, sides: [exactly(0.0), -dot(&apart, &apart) - normal] }
+    }
+
     /// Each further link with a point, with the first one that has it.
-    fn pins(&self) -> Vec<(usize, usize, String)> {
+    pub(super) fn pins(&self) -> Vec<(usize, usize, String)> {
         let mut first: BTreeMap<&str, usize> = BTreeMap::new();
         let mut pins = Vec::new();
         for (index, link) in self.links.iter().enumerate() {
@@ -378,7 +528,7 @@ impl Truth {
     }
 
     /// The direction of a guide and a place on it.
-    fn guide_line(&self, guide: &Guide) -> [Pair; 2] {
+    pub(super) fn guide_line(&self, guide: &Guide) -> [Pair; 2] {
         let on = &self.links[guide.on];
         [turn(&on.angle, &guide.along), on.place(&guide.through)]
     }
@@ -551,6 +701,7 @@ fn guide(given: &Value, links: &[Link], is_drawn: bool) -> Guide {
         along,
         turned,
         drive,
+        beside: exactly(0.0),
     }
 }
 
