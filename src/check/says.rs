@@ -57,6 +57,8 @@ messages! { "check":
     // Tables.
     no_table(error);
     write_lines;
+    value_without_name(text);
+    value_in_unit(text);
     no_sense(text);
     write_sense;
     values_in(unit);

@@ -1,6 +1,6 @@
 //! Tables of loads in files beside a scene, as an indicator diagram over a crank's angle: read here, and written into the scene's text.
 
-use super::files::{is_below, read_form};
+use super::files::{leads_outside, read_form};
 use super::message::{Failure, Source, refuse};
 use crate::Problem;
 use crate::editing::{lines_of_table, tables_in_files, with_table};
@@ -13,7 +13,7 @@ pub(super) fn with_tables(mut source: Source, scene: &Path) -> Result<Source, Fa
     for given in tables_in_files(&source.text) {
         let path = folder.join(&given.path);
         // Somebody else's scene may name any file: nothing outside of its folder is read.
-        if path.exists() && !is_below(&path, folder) {
+        if leads_outside(&path, folder) {
             let message = format!("{}, which the scene names as a table, is outside of its folder", path.display());
             return refuse(message, "put the table beside the scene");
         }
