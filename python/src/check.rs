@@ -1,7 +1,9 @@
 use crate::refused::Refused;
 use crate::solution::{Solution, tolerance};
-use kinegon::board::{Given, HandDrawing, Judge, own_drawing};
-use kinegon::check::{AnswerKey, Awarded, Checked, Feedback, Marks, Measured, check, check_result, redrawn, report};
+use kinegon::board::{DrawingResult, Given, HandDrawing, Judge, own_drawing};
+use kinegon::check::{
+    AnswerKey, Awarded, Checked, Feedback, Marks, Measured, Prepared, check_result, redrawn, report,
+};
 use kinegon::drawing::{Drawing, overlay};
 use kinegon::format::json_line;
 use pyo3::FromPyObject;
@@ -22,9 +24,10 @@ pub struct CheckOptions {
     is_table: bool,
 }
 
-/// A form that was checked.
+/// A form that was checked, or the one that a drawing gives.
 struct Judged<'a> {
     measured: Measured,
+    drawing: Option<DrawingResult>,
     key: AnswerKey<'a>,
     checked: Checked,
     marks: Option<Awarded>,
@@ -56,9 +59,16 @@ impl Solution {
         let hand = tolerance(options.mm, options.degrees)?;
         let shown = self.by_hand()?;
         let key_of = |solution| AnswerKey { depth: options.depth, ..AnswerKey::new(solution, hand) };
+        let mut drawing = None;
         let measured = if HandDrawing::is_one(form) {
             // A drawing is checked and marked by what it gives.
-            Judge::new(&key_of(shown)).form(&HandDrawing::read(form)?)
+            let (judge, drawn, words) = (Judge::new(&key_of(shown)), HandDrawing::read(form)?, shown.wording());
+            let judged = judge.judge(&drawn).map_err(|error| {
+                let why = words.language.says(&error.message);
+                Refused::new("KinegonError", format!("did.{}: {why}", error.entry), None)
+            })?;
+            drawing = Some(judged.result(&judge, &drawn, &words));
+            judge.form(&drawn, &judged)
         } else if !options.is_table && Measured::is_json(form) {
             Measured::read_json(form)?
         } else {
@@ -68,14 +78,15 @@ impl Solution {
         let key = key_of(with_centers.as_ref().unwrap_or(shown));
         let scheme = options.marks.as_ref().map(|text| -> Result<_, Refused> { Ok(Marks::read(text)?.of(&key)?) });
         let scheme = scheme.transpose()?;
-        let checked = check(&measured, &key)?;
+        let prepared = Prepared::new(&key);
+        let checked = if drawing.is_some() { prepared.check_drawn(&measured) } else { prepared.check(&measured) }?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
-        then(&Judged { measured, key, checked, marks })
+        then(&Judged { measured, drawing, key, checked, marks })
     }
 
     /// The result as JSON, the report, and whether it is passed.
     pub fn checked(&self, form: &str, options: &CheckOptions) -> Result<(String, String, bool), Refused> {
-        self.judged(form, options, |judged| judged.result(form))
+        self.judged(form, options, Judged::result)
     }
 
     pub fn page_for_student(&self, form: &str, options: &CheckOptions) -> Result<String, Refused> {
@@ -97,24 +108,17 @@ impl Solution {
 
 impl Judged<'_> {
     /// The result as JSON, the report, and whether it is passed.
-    fn result(&self, form: &str) -> Result<(String, String, bool), Refused> {
-        let Judged { measured, key, checked, marks } = self;
+    fn result(&self) -> Result<(String, String, bool), Refused> {
+        let Judged { measured, drawing, key, checked, marks } = self;
         let words = key.solution.wording();
         let line = marks.as_ref().map_or_else(String::new, |marks| marks.line(&words) + "\n");
-        if HandDrawing::is_one(form) {
-            let (drawing, judge) = (HandDrawing::read(form)?, Judge::new(key));
-            let judged = judge.judge(&drawing).map_err(|error| {
-                let why = words.language.says(&error.message);
-                Refused::new("KinegonError", format!("did.{}: {why}", error.entry), None)
-            })?;
-            let result = judged.result(&judge, &drawing, &words);
-            let is_passed = result.first_wrong.is_none();
+        if let Some(result) = drawing {
             let report = result.report(&words) + &line;
             let mut file = serde_json::json!({ "drawing": result });
             if let Some(marks) = marks {
                 file["marks"] = serde_json::json!(marks);
             }
-            return Ok((json_line(&file), report, is_passed));
+            return Ok((json_line(&file), report, result.passed));
         }
         let mut result = check_result(checked, key, measured.name.clone());
         result.marks = *marks;

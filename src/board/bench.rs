@@ -7,8 +7,9 @@ use super::file::HandDrawing;
 use super::force_plan::{Corner, ForceLine, OnPlan};
 use super::formula::Formula;
 use super::given::Given;
-use super::judge::{BoardError, Judge, JudgedDrawing, Verdict, standing};
+use super::judge::{BoardError, Judge, JudgedDrawing, Verdict, Wrong, standing};
 use super::reads::reads;
+use super::says;
 use super::table::{Made, Table, Thing, things};
 use crate::message::Message;
 use crate::scene::QuantityName;
@@ -35,6 +36,10 @@ pub(super) struct Bench<'j> {
     typed: BTreeSet<Thing>,
     /// Things of the hand's own in which there are any numbers at all.
     numbered: BTreeSet<Thing>,
+    /// What is drawn or measured, or was worked out from such things.
+    founded: BTreeSet<Thing>,
+    /// Quantities that were typed and to which nothing leads that is drawn.
+    pub unfounded: Vec<String>,
     /// Lines that are wrong themselves: where they cross says nothing of the crossing.
     pub wrong_lines: BTreeSet<String>,
     /// The corners of force polygons, by their names.
@@ -91,6 +96,8 @@ impl<'j> Bench<'j> {
             made: BTreeMap::new(),
             typed: BTreeSet::new(),
             numbered: BTreeSet::new(),
+            founded: BTreeSet::new(),
+            unfounded: Vec::new(),
             wrong_lines: BTreeSet::new(),
             tainted: BTreeSet::new(),
             done: Vec::new(),
@@ -127,6 +134,7 @@ impl<'j> Bench<'j> {
                 if matches!(verdicts[index], Verdict::Wrong(_) | Verdict::Follows) {
                     self.tainted.extend(things);
                 }
+                self.founded.extend(self::things(&made));
                 self.put_force(entry, &made, plan);
                 self.own.put(made);
                 self.done.push((index, entry));
@@ -140,8 +148,18 @@ impl<'j> Bench<'j> {
                 found = self.found(entry, &made, true);
             }
             let things = things(&made);
+            let is_founded = !is_typed || self.is_founded(entry, &made, &reads);
+            if is_founded {
+                self.founded.extend(things.iter().cloned());
+            } else if let (Found::Right, Made::Numbers(all)) = (&found, &made) {
+                self.unfounded.extend(all.iter().map(|(name, _)| name.clone()));
+            }
             let follows = reads.iter().any(|read| self.tainted.contains(read));
             verdicts[index] = match found {
+                Found::Right if !is_founded => {
+                    let names = all_names(&made);
+                    Verdict::Wrong(Wrong { what: says::nothing_leads_to(names), mistake: None })
+                }
                 Found::Own if !things.iter().any(|thing| used.contains(thing)) => Verdict::Unused,
                 Found::Right | Found::Own if follows => Verdict::Follows,
                 Found::Right | Found::Own => Verdict::Right,
@@ -158,7 +176,7 @@ impl<'j> Bench<'j> {
             self.own.put(made);
             self.done.push((index, entry));
         }
-        Ok(JudgedDrawing { verdicts })
+        Ok(JudgedDrawing { verdicts, unfounded: self.unfounded })
     }
 
     /// What an entry on the sheet of forces comes to: where that is wrong, also with its numbers as somebody may have typed them.
@@ -174,6 +192,17 @@ impl<'j> Bench<'j> {
     /// Whether it uses something of the hand's own in which there are typed numbers.
     pub fn reads_typed(&self, entry: &Entry) -> bool {
         reads(entry, &self.own).iter().any(|read| self.typed.contains(read))
+    }
+
+    /// Whether an entry with numbers that somebody typed is of the drawing: what is drawn, and numbers that are read from it, or that the
+    /// construction works out from what is there.
+    fn is_founded(&self, entry: &Entry, made: &Made, reads: &[Thing]) -> bool {
+        let Made::Numbers(all) = made else { return true };
+        matches!(entry, Entry::Measure(_))
+            || reads.iter().any(|read| self.founded.contains(read))
+            || all.iter().all(|(name, _)| {
+                self.judge.given().number(name).is_some() && self.causes.is_worked_out(&self.own, name, &self.unfounded)
+            })
     }
 
     /// Puts the right things down in all scenes.
@@ -266,6 +295,11 @@ impl<'j> Bench<'j> {
             Made::Line(..) => true,
         }
     }
+}
+
+/// The names of what an entry makes.
+fn all_names(made: &Made) -> Message {
+    Message::list(things(made).into_iter().map(|(_, name)| Message::from(name)), ", ")
 }
 
 /// Whether a quantity is a rate of rotation.

@@ -6,9 +6,10 @@ use super::judge::Judge;
 use super::table::{Made, Table};
 use crate::check::replayed::{Replayed, Touched};
 use crate::check::{PaperPoints, Told};
-use crate::construction::{NumberId, OperationKind, Values};
+use crate::construction::{NumberId, Operation, OperationKind, Values, image_name};
 use crate::geometry::{Vector, cross};
 use crate::quantity::{QuantityRequest, measured_names, readable_names};
+use crate::scene::{Head, QuantityName};
 use crate::sheet::{PerSheet, Sheet};
 use std::cell::OnceCell;
 
@@ -133,6 +134,61 @@ impl<'j> Causes<'j> {
         let is_it = |own: &str| own == name || self.judge.given().same_rates(name).any(|same| same == own);
         let number = numbers.find(|n| is_it(&construction.number_name(mechanism, *n)))?;
         Some(values.number(number)).filter(|x| x.is_finite())
+    }
+
+    /// Whether a number can be worked out from what the hand has: crossings must be drawn, all else that the construction does to come to it
+    /// a calculator does, too. Numbers that are `unfounded` are none that the hand has.
+    pub fn is_worked_out(&self, own: &Table<'_>, name: &str, unfounded: &[String]) -> bool {
+        let given = self.judge.given();
+        let (construction, mechanism) = (given.construction(), given.mechanism());
+        let [places, lines, numbers] = construction.counts();
+        let mut drawn = vec![false; places];
+        for (sheet, name, place) in construction.named_places() {
+            drawn[place.0] |= own.place(sheet, name).is_some();
+        }
+        let (mut places, mut lines, mut numbers) = (vec![false; places], vec![false; lines], vec![false; numbers]);
+        let mut found = Vec::new();
+        // Corners of force polygons have whatever names the hand gives them.
+        let has_corners = own.places(Sheet::Forces).any(|(name, _)| !given.is_there(name));
+        for Operation { kind, sheet, by_hand, .. } in &construction.operations {
+            let (read, along) = kind.places_and_lines_read();
+            let mut has_all =
+                *by_hand && read.iter().all(|place| places[place.0]) && along.iter().all(|line| lines[line.0]);
+            kind.each_number_read(|number| has_all &= numbers[number.0]);
+            let is_crossed = matches!(kind, OperationKind::Cross { .. });
+            if let Some(place) = kind.place() {
+                let is_drawn = drawn[place.0] || (*sheet == Sheet::Forces && has_corners);
+                places[place.0] = is_drawn || (has_all && !is_crossed);
+            }
+            if let Some(line) = kind.line() {
+                lines[line.0] = has_all;
+            }
+            for number in kind.numbers() {
+                let number_name = construction.number_name(mechanism, *number);
+                let is_found = own.numbers().any(|(own, _)| own == number_name) && !unfounded.contains(&number_name);
+                numbers[number.0] = has_all || is_found;
+                if number_name == name || given.same_rates(name).any(|same| same == number_name) {
+                    found.push(numbers[number.0]);
+                }
+            }
+        }
+        if !found.is_empty() {
+            return found.contains(&true);
+        }
+        // What the construction does not come to by that name: the points and links of which it is.
+        let Some(quantity) = QuantityName::parse(name) else { return true };
+        let (sheet, named): (Sheet, fn(&str) -> String) = match quantity.head {
+            Head::Velocity => (Sheet::Velocity, image_name),
+            Head::Acceleration => (Sheet::Acceleration, image_name),
+            Head::Between(sheet) => (sheet, str::to_owned),
+            _ => return true,
+        };
+        let has_end = |end: &String| {
+            let name = given.usual(sheet, &named(end));
+            let place = construction.place(sheet, construction.plan_name(sheet, &name));
+            place.map_or_else(|| own.place(sheet, &name).is_some(), |place| places[place.0])
+        };
+        quantity.arguments.iter().all(has_end)
     }
 
     /// The construction with the hand's own points and numbers in place of its own, as far as there are any.

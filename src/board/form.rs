@@ -1,16 +1,20 @@
 //! A drawing as a form of measured values, by which it is checked and marked like any other.
 
 use super::file::HandDrawing;
-use super::judge::Judge;
-use crate::check::{Given as GivenValue, Measured, form_boxes};
-use crate::quantity::What;
-use crate::sheet::Scales;
+use super::judge::{Judge, JudgedDrawing};
+use crate::check::{FormBox, Given as GivenValue, Measured, form_boxes};
+use crate::construction::PointRole;
+use crate::quantity::{QuantityRequest, What};
+use crate::scene::Component;
+use crate::sheet::{Scales, Sheet};
 
 impl Judge {
-    /// The form that the hand would fill in: of the values that the scene's form asks for those that its drawing gives.
+    /// The form that the hand would fill in: of the values that the scene's form asks for those that its drawing gives. A number to which
+    /// nothing leads that is drawn is no finding.
     #[must_use]
-    pub fn form(&self, drawing: &HandDrawing) -> Measured {
-        let (table, _) = self.drawn(drawing);
+    pub fn form(&self, drawing: &HandDrawing, judged: &JudgedDrawing) -> Measured {
+        let (mut table, _) = self.drawn(drawing);
+        table.numbers.retain(|name, _| !judged.unfounded.contains(name));
         let scales: Scales = self.scales(drawing).map(Some);
         let mut form = Measured::empty(scales, None);
         form.name.clone_from(&drawing.name);
@@ -21,7 +25,13 @@ impl Judge {
             // What the hand has found itself, or what its sheets show; what the scene gives is no finding.
             let is_of_sheets = matches!(asked.asked.what, What::Segment(..) | What::Length(..));
             let found = table.numbers().find(|(own, _)| *own == name).map(|(_, number)| number);
-            let number = found.or_else(|| table.known(name).filter(|_| is_of_sheets));
+            let number = match (&asked.asked.what, asked.asked.written.component) {
+                (What::Pole(pole), Some(axis @ (Component::X | Component::Y))) => {
+                    let place = table.place(Sheet::Centers, &pole.name).map(|place| self.given().construction().origin + place);
+                    place.map(|at| if axis == Component::X { at.x } else { at.y })
+                }
+                _ => found.or_else(|| table.known(name).filter(|_| is_of_sheets)),
+            };
             if let Some(number) = number.filter(|number| number.is_finite()) {
                 form.values.push(GivenValue {
                     name: asked.name.clone(),
@@ -32,5 +42,29 @@ impl Judge {
             }
         }
         form
+    }
+
+    /// What the scene's form asks for and a drawing's form does not have, by the names of its boxes. Where all points and rates are there, no
+    /// parts on another way to them are missing: a tangential part may be laid off before the normal one.
+    #[must_use]
+    pub fn missing(&self, form: &Measured) -> Vec<String> {
+        let is_there = |asked: &FormBox| form.values.iter().any(|value| value.name == asked.name);
+        let boxes = form_boxes(&self.given().solution).into_iter();
+        let (on_the_way, results): (Vec<FormBox>, Vec<FormBox>) =
+            boxes.filter(|asked| !is_there(asked)).partition(|asked| self.is_on_the_way(&asked.asked));
+        let missing = if results.is_empty() && !form.values.is_empty() { Vec::new() } else { [results, on_the_way].concat() };
+        missing.into_iter().map(|asked| asked.name).collect()
+    }
+
+    /// Whether a segment has an end that only leads to others, or a centre is at infinity, where a drawing has no place for it.
+    fn is_on_the_way(&self, asked: &QuantityRequest) -> bool {
+        let (order, ends) = match &asked.what {
+            What::Segment(order, ends) => (order, ends),
+            What::Pole(_) => return !matches!(asked.written.component, Some(Component::X | Component::Y)),
+            _ => return false,
+        };
+        let construction = self.given().construction();
+        let role = |end: &String| construction.plan_on(order.sheet())?.points.get(end).map(|point| point.role);
+        ends.iter().any(|end| matches!(role(end), Some(PointRole::Normal | PointRole::Slid | PointRole::Special)))
     }
 }

@@ -156,11 +156,4 @@ impl Screen {
             Made::Numbers(_) => Vec::new(),
         }
     }
-
-    /// Whether all that the own construction finds is there: every rate and every point of its plans.
-    #[must_use]
-    pub fn is_complete(&self, drawing: &HandDrawing) -> bool {
-        let (table, refused) = self.judge.drawn(drawing);
-        refused.is_none() && self.next(&table).is_none()
-    }
 }

@@ -44,6 +44,8 @@ pub struct Wrong {
 pub struct JudgedDrawing {
     /// By entry.
     pub verdicts: Vec<Verdict>,
+    /// Quantities that were typed and to which nothing that is drawn leads: they are no findings, right or wrong.
+    pub(super) unfounded: Vec<String>,
 }
 
 impl JudgedDrawing {

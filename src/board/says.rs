@@ -34,6 +34,7 @@ messages! { "board":
     no_direction_of_force(line);
     polygon_not_closed(point);
     number_wrong(name);
+    nothing_leads_to(name);
     equation_wrong(number);
     leads_wrong(name);
     drawn_off(mm, degrees);
@@ -71,6 +72,9 @@ messages! { "board":
     unused;
     undone;
     all_right;
+    right_so_far;
+    asked_missing(names);
+    asked_missing_many(names, more);
     nothing_drawn;
     first_wrong(number);
     should(what);

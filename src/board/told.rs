@@ -11,6 +11,9 @@ use crate::words::{Medium, Wording};
 use schemars::JsonSchema;
 use serde::Serialize;
 
+/// Most of what is missing that a report names.
+const NAMED: usize = 24;
+
 /// A judged drawing as a result.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[schemars(rename = "judged_drawing")]
@@ -20,6 +23,11 @@ pub struct DrawingResult {
     /// The index of the first wrong entry, from 0; left out where none is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first_wrong: Option<usize>,
+    /// Whether no entry is wrong, and all is there that the scene asks for, by its `form` or else by all its steps.
+    pub passed: bool,
+    /// What the scene asks for and the drawing does not have.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub missing: Vec<String>,
 }
 
 /// An entry with its verdict.
@@ -178,7 +186,9 @@ impl JudgedDrawing {
             }
             told
         });
-        DrawingResult { entries: entries.collect(), first_wrong: self.first_wrong() }
+        let (first_wrong, missing) = (self.first_wrong(), judge.missing(&judge.form(drawing, self)));
+        let passed = first_wrong.is_none() && missing.is_empty();
+        DrawingResult { entries: entries.collect(), first_wrong, passed, missing }
     }
 }
 
@@ -199,9 +209,21 @@ impl DrawingResult {
             lines.extend(entry.should.iter().map(|should| format!("{indent}{}", language.says(&says::should(should)))));
         }
         let is_empty = self.entries.iter().all(|entry| matches!(entry.verdict, VerdictName::Undone));
-        let right = if is_empty { says::nothing_drawn } else { says::all_right };
+        let right = match () {
+            () if is_empty => says::nothing_drawn,
+            () if self.passed => says::all_right,
+            () => says::right_so_far,
+        };
         let first = self.first_wrong.map_or_else(right, |index| says::first_wrong(index + 1));
         lines.push(language.says(&first));
+        let named = &self.missing[..self.missing.len().min(NAMED)];
+        let more = self.missing.len() - named.len();
+        let named = || Message::list(named.iter().map(Message::from), ", ");
+        match more {
+            0 if self.missing.is_empty() => {}
+            0 => lines.push(language.says(&says::asked_missing(named()))),
+            more => lines.push(language.says(&says::asked_missing_many(named(), more))),
+        }
         lines.join("\n") + "\n"
     }
 }

@@ -24,8 +24,7 @@ pub struct Checked {
     pub mirrored: Vec<Sheet>,
     /// Plans whose places on paper lie turned to the scheme, with all of the sheet.
     pub turned: Vec<TurnedPlan>,
-    /// The rows of what the form asks for and has no value of: boxes left blank, points that a photograph does not show, and all that an
-    /// exercise asks for.
+    /// The rows of the scene's form that have no value here, whatever the student's form asks for.
     pub missing: Vec<String>,
     /// The exercise of the class whose values these are, where they are those of another one: then no mistakes are told.
     pub values_of: Option<String>,
@@ -59,20 +58,26 @@ impl Checked {
         self.values_of = Some(exercise.to_owned());
     }
 
-    /// Whether all that is asked for is there and right: no value is missing, off or without information, and no plan
-    /// mirrored.
+    /// What all verdicts come to.
+    #[must_use]
+    pub fn outcome(&self) -> Outcome {
+        let values = self.values.iter().map(|value| Outcome::of(value.verdict)).max();
+        let plans = if self.mirrored.is_empty() { Outcome::Passed } else { Outcome::Off };
+        let asked = if self.missing.is_empty() { Outcome::Passed } else { Outcome::Incomplete };
+        // Where there is no value, nothing has been judged.
+        values.unwrap_or(Outcome::Incomplete).max(plans).max(asked)
+    }
+
+    /// Whether all that is asked for is there, and every value is right or within its tolerance.
     #[must_use]
     pub fn is_passed(&self) -> bool {
-        self.is_nothing_off()
-            && self.missing.is_empty()
-            && self.count(Verdict::TooCoarse) == 0
-            && self.count(Verdict::Unjudged) < self.values.len()
+        self.outcome() == Outcome::Passed
     }
 
     /// Whether no value is off, and no plan mirrored.
     #[must_use]
     pub fn is_nothing_off(&self) -> bool {
-        self.mirrored.is_empty() && self.count(Verdict::Off) == 0
+        self.outcome() != Outcome::Off
     }
 
     /// How many values have this verdict.
@@ -83,6 +88,28 @@ impl Checked {
     /// The names of the quantities of some values.
     pub(super) fn names(&self, values: &[usize]) -> Vec<String> {
         values.iter().map(|&value| self.values[value].entry.asked.name().to_owned()).collect()
+    }
+}
+
+/// What a check comes to, from good to bad: of several the largest counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Outcome {
+    /// All that is asked for is there, and all that is there is judged and good.
+    Passed,
+    /// Nothing is off, but something is missing, or does not tell enough to be judged.
+    Incomplete,
+    /// Something is off.
+    Off,
+}
+
+impl Outcome {
+    /// What a single verdict comes to: only a value that is judged can pass.
+    const fn of(verdict: Verdict) -> Outcome {
+        match verdict {
+            Verdict::Right | Verdict::WithinTolerance => Outcome::Passed,
+            Verdict::SenseMissing | Verdict::TooCoarse | Verdict::TooSmall => Outcome::Incomplete,
+            Verdict::Off => Outcome::Off,
+        }
     }
 }
 
@@ -109,18 +136,18 @@ pub struct Accuracy {
 pub enum Verdict {
     /// The exact value rounds to it.
     Right,
-    /// It differs from the exact value by no more than honest hand drawings do.
+    /// It differs from the exact value by no more than is allowed.
     WithinTolerance,
     /// A rate whose size is right or within the tolerance, written without a sign where no sense counts as positive: it
     /// does not tell its sense.
     SenseMissing,
     /// It differs by more.
     Off,
-    /// It is not wrong, but its digits tell nothing: as `0e4`, or `2` for 1.3.
+    /// It is not wrong, but tells nothing: its digits, as `0e4`, or `2` for 1.3; or the radii of its places, which are too large.
     TooCoarse,
-    /// It has no tolerance, as there is no construction from which it could be read; or it is so small on its sheet that
-    /// an honest hand could as well find nothing there.
-    Unjudged,
+    /// It is not wrong, but so small beside what is allowed that an honest hand could as well find nothing there.
+    #[serde(rename = "unjudged")]
+    TooSmall,
 }
 
 /// A value with its verdict.
@@ -132,8 +159,21 @@ pub struct Judged {
     pub verdict: Verdict,
     /// The value less the exact one, in the scene's units; of an angle the shorter way round.
     pub difference: f64,
-    /// Largest difference that counts as within the tolerance; `None` where the value is not drawn.
-    pub tolerance: Option<f64>,
+    /// Largest difference that counts as within the tolerance.
+    pub tolerance: f64,
+    /// By what it is judged.
+    pub basis: Basis,
+}
+
+/// By what a value is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// By what careful hands come to.
+    Drawn,
+    /// By a coarse tolerance: it has an exact value, but no construction by hand from which it could be read.
+    Coarse,
+    /// By its digits alone: the scene gives it.
+    Given,
 }
 
 /// The best explanation of the values, and the others.

@@ -158,7 +158,7 @@ impl ClassRow {
                 within: checked.count(Verdict::WithinTolerance),
                 off: checked.count(Verdict::Off),
                 sense_missing: checked.count(Verdict::SenseMissing),
-                cannot_tell: checked.count(Verdict::TooCoarse) + checked.count(Verdict::Unjudged),
+                cannot_tell: checked.count(Verdict::TooCoarse) + checked.count(Verdict::TooSmall),
                 missing: checked.missing.len(),
                 hints: checked.hints,
                 values_of: checked.values_of.as_deref().map(Untrusted::from),

@@ -21,6 +21,8 @@ pub struct Entry {
     pub value: f64,
     /// Half a unit of the last digit, in the same unit.
     pub rounding: f64,
+    /// How much farther off it may be, in the same unit, as the radii of its places say that are too large to count.
+    pub doubt: f64,
     /// How finely values of its kind are written.
     pub precision: Precision,
     /// Whether it is a rate without a sign in a form that does not say which sense is positive: only its size is known.
@@ -59,7 +61,13 @@ impl Entry {
 /// All that is not understood: lines of the file, unknown quantities, wrong units, missing scales, contradictory
 /// entries; or an empty form.
 pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, CheckError> {
-    entries_by(measured, key, &Names::new(key.solution))
+    let entries = entries_by(measured, key, &Names::new(key.solution))?;
+    if entries.is_empty() { Err(is_empty()) } else { Ok(entries) }
+}
+
+/// Why a form without any value is not checked.
+pub(super) fn is_empty() -> CheckError {
+    CheckError::new(says::form_empty(), says::write_values())
 }
 
 /// The entries of a form by the names of the scene's quantities, which many forms have in common.
@@ -94,9 +102,6 @@ pub(super) fn entries_by(
     faults.extend(placed::add(&mut entries, measured, names).err());
     if let Some(error) = CheckError::all(faults) {
         return Err(error);
-    }
-    if entries.is_empty() {
-        return Err(CheckError::new(says::form_empty(), says::write_values()));
     }
     find_precisions(&mut entries);
     let place = |e: &Entry| names.order.get_index_of(e.asked.name());
@@ -178,6 +183,7 @@ impl<'a> Reader<'a> {
             text: given.text.clone(),
             value: number * factor,
             rounding: rounding * factor.abs(),
+            doubt: 0.0,
             precision,
             is_magnitude: asked.is_rate() && !signed && self.measured.positive.is_none(),
             factor,

@@ -156,15 +156,14 @@ impl Measured {
         text.trim_start_matches(['\u{feff}', ' ', '\n', '\r', '\t']).starts_with(['{', '['])
     }
 
-    /// The values of a form as JSON; of blanks the names.
+    /// The values of a form as JSON.
     ///
     /// # Errors
     /// The first thing that is wrong with the text, with its place.
     pub fn read_json(text: &str) -> Result<Measured, SceneError> {
         let file: FormFile = read_as(text, &MEASURED)?;
-        let (filled, blank): (Vec<_>, Vec<_>) =
-            file.values.into_iter().partition(|(_, value)| !value.text.trim().is_empty());
-        let given = filled.into_iter().map(|(name, Value { text, unit })| {
+        let filled = file.values.into_iter().filter(|(_, value)| !value.text.trim().is_empty());
+        let given = filled.map(|(name, Value { text, unit })| {
             let place = format!("values.{}", shown(&name)).into();
             given(name, text.trim(), unit, place)
         });
@@ -181,7 +180,6 @@ impl Measured {
             faults: Vec::new(),
             in_mm: file.written_in == Some(Paper::Mm),
             values: given.collect(),
-            blank: blank.into_iter().map(|(name, _)| name).collect(),
             points: points.collect(),
             upright: file.upright,
             hints: file.hints,

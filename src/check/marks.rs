@@ -22,8 +22,8 @@ const MOST: f64 = crate::scene::MOST_MARKS;
 /// off earns none, or where it follows from a mistake made at an earlier step and is consistent with it, the part `follow_through` of them.
 /// Every mistake is charged once: in the value in which it was made, whatever else that follows from, or where no value of its step shows it,
 /// as that of a line, in the first that does. From a mistake that has no name nothing follows where it leaves more than half as many wrong
-/// values open as it explains. A value that cannot be judged earns none. What is too small on the sheet to be judged does
-/// not count.
+/// values open as it explains. A value that tells nothing earns none, and a rate without its sense earns none. What is too small on the sheet to be
+/// judged does not count.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = r#"a marking scheme as { "kinegon_marks": 1, … }"#)]
 #[schemars(rename = "marks")]
@@ -177,7 +177,7 @@ impl MarkScheme {
             // Beside a prediction of nearly nothing any small number would follow.
             let Judged { entry, tolerance, .. } = &checked.values[value];
             let is_later = |f: &&Finding| f.candidate.step < entry.step;
-            tolerance.is_none_or(|tolerance| entry.value.abs() > tolerance || entry.asked.kind() == QuantityKind::Angle)
+            (entry.value.abs() > *tolerance || entry.asked.kind() == QuantityKind::Angle)
                 && findings.iter().filter(is_later).filter(is_shown).any(|f| f.follows.contains(&value))
                 && !charged.contains(&value)
                 && !entry.has_one_digit()
@@ -192,11 +192,11 @@ impl MarkScheme {
                 continue;
             };
             match checked.values[index].verdict {
-                Verdict::Right | Verdict::WithinTolerance | Verdict::SenseMissing => earned += worth,
+                Verdict::Right | Verdict::WithinTolerance => earned += worth,
                 Verdict::Off if follows(index) => follow_through += self.follow_through * worth,
-                // Too small on the sheet to be judged: it does not count.
-                Verdict::Unjudged if checked.values[index].tolerance.is_some() => of -= worth,
-                Verdict::Off | Verdict::TooCoarse | Verdict::Unjudged => {}
+                // It does not count.
+                Verdict::TooSmall => of -= worth,
+                Verdict::Off | Verdict::TooCoarse | Verdict::SenseMissing => {}
             }
         }
         let tidy = |marks: f64| libm::round(marks * 1e6) / 1e6;

@@ -65,8 +65,6 @@ pub struct Measured {
     pub in_mm: bool,
     /// The values, in the order of the file.
     pub values: Vec<Given>,
-    /// The names of boxes that are there but not filled in, and of what a photograph was looked through for and did not show.
-    pub blank: Vec<String>,
     /// Places of points on paper, by sheet.
     pub points: Vec<PointsOf>,
     /// Whether the places are those of sheets that lie as they were printed, x along the scheme's; else each plan may lie turned.

@@ -6,7 +6,7 @@
 //! In reading order: `measured` has the answer key, the values of a form and the error of what is not understood; `names`
 //! has the names of a form's boxes, those on the sheets, and what a written name means, `named` the centres of forms whose figure shows none; `form` reads and writes forms as
 //! JSON and lists their boxes for a page, `table` as a table. `entry` makes of each value a quantity with its number, with
-//! what `written` knows of digits and units, `on_paper` which points of a sheet have places, and `placed` what these tell; `sensible` has the scales at which a sheet can be drawn,
+//! what `written` knows of digits and `units` of units, `on_paper` which points of a sheet have places, and `placed` what these tell; `sensible` has the scales at which a sheet can be drawn,
 //! `common` the error that all lengths of a sheet share. `checked` is what a check finds; `verdicts` judges the values, `prepared` carries it out and keeps what many
 //! forms of one scene have in common.
 //!
@@ -94,11 +94,12 @@ mod sensible;
 mod settle;
 mod student;
 mod table;
+mod units;
 mod verdicts;
 #[doc(hidden)] // for tests
 pub mod written;
 
-pub use checked::{Accuracy, BANDS, Checked, Diagnosis, Explanation, Finding, Judged, Verdict};
+pub use checked::{Accuracy, BANDS, Basis, Checked, Diagnosis, Explanation, Finding, Judged, Outcome, Verdict};
 pub use class::{ClassColumns, ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
 pub use common::CommonError;
 pub use entry::{Entry, entries, faults};

@@ -16,6 +16,9 @@ use indexmap::IndexMap;
 /// Rounding of distances of places, in mm: people write these to a tenth or a hundredth of a millimetre.
 pub(super) const ROUNDING: f64 = 0.05;
 
+/// Largest radius behind a place that counts, in mm: photographs that are good enough have less.
+pub(super) const COUNTED: f64 = 1.0;
+
 /// Least length of a vector that has a direction, in mm.
 const SHORT: f64 = 3.0;
 
@@ -73,8 +76,8 @@ pub(super) fn add(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'
             let name = sheet.segment_name(from, to);
             let meant = |name: &str| names.quantity(name).map_err(|e| e.at(at(to)));
             let length = meant(&name)?;
-            // The image of a point at rest is the pole itself.
-            if length.expected == 0.0 {
+            // The image of a point at rest is the pole itself, wherever its dot is set.
+            if length.expected == 0.0 && vector.mm <= COUNTED {
                 continue;
             }
             let has_direction = vector.mm.min(length.expected / mu) >= SHORT && vector.doubt() <= DOUBTED;
@@ -135,21 +138,31 @@ fn usual(points: &PointsOf, own: &PaperPoints<'_>, construction: &Construction) 
 struct Placed {
     vector: Vector,
     mm: f64,
-    /// How far its ends may be off together, in mm.
+    /// How far its ends may be off together as far as that counts, in mm.
     rounding: f64,
+    /// How far they may be off together as their radii say, in mm.
+    radius: f64,
 }
 
 impl Placed {
     fn between(from: PlacedPoint, to: PlacedPoint) -> Placed {
         let vector = Vector::from(to.at) - Vector::from(from.at);
-        // Places from a photograph have their radii.
-        let rounding = libm::hypot(from.band.unwrap_or(0.0), to.band.unwrap_or(0.0)).max(ROUNDING);
-        Placed { vector, mm: libm::hypot(vector.x, vector.y), rounding }
+        // Places from a photograph have their radii. Anybody may write one, so a larger one allows no more: it leaves the place untold.
+        let together = |most: f64| {
+            let [from, to] = [from, to].map(|place| place.band.unwrap_or(0.0).min(most));
+            libm::hypot(from, to).max(ROUNDING)
+        };
+        Placed {
+            vector,
+            mm: libm::hypot(vector.x, vector.y),
+            rounding: together(COUNTED),
+            radius: together(f64::INFINITY),
+        }
     }
 
     /// How far its direction may be off because its ends are, in degrees.
     fn doubt(self) -> f64 {
-        libm::atan(self.rounding / self.mm).to_degrees()
+        libm::atan(self.radius / self.mm).to_degrees()
     }
 
     /// Its length as a value of a form.
@@ -160,7 +173,8 @@ impl Placed {
     /// What is measured between its ends on paper as a value of a form.
     fn on_paper(self, meant: Meant, value: f64, mu: f64) -> Entry {
         let entry = of(meant, value, self.rounding * mu);
-        Entry { factor: mu, factor_without_unit: mu, on_paper: true, per_mm: Some(mu), ..entry }
+        let doubt = (self.radius - self.rounding) * mu;
+        Entry { doubt, factor: mu, factor_without_unit: mu, on_paper: true, per_mm: Some(mu), ..entry }
     }
 
     /// Its direction as a value of a form, on a plan that lies turned by so many degrees.
@@ -178,6 +192,7 @@ fn of(Meant { asked, row, expected, step }: Meant, value: f64, rounding: f64) ->
         text: String::new(),
         value,
         rounding,
+        doubt: 0.0,
         precision: Precision { decimals: 1, digits: 4 },
         is_magnitude: false,
         factor: 1.0,

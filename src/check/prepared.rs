@@ -4,8 +4,8 @@
 use super::checked::{Accuracy, Checked, Diagnosis, Judged, Verdict};
 use super::common::CommonError;
 use super::covariance::{Groups, SLIP};
-use super::entry::{Entry, entries_by};
-use super::measured::{AnswerKey, CheckError, Measured, ON_PAPER, PointsOf};
+use super::entry::{Entry, entries_by, is_empty};
+use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
 use super::mistakes::{Candidate, Site};
 use super::model::{COMPUTING, Model};
 use super::names::Names;
@@ -16,7 +16,7 @@ use super::search::{Search, hand, other_modes};
 use super::sensible::sensible;
 use super::verdicts::{ENOUGH, judged, widened};
 use crate::construction::Tolerance;
-use crate::quantity::{Band, QuantityRequest};
+use crate::quantity::Band;
 use crate::sheet::{PerSheet, Scales};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -118,9 +118,23 @@ impl<'a> Prepared<'a> {
     /// # Errors
     /// A value is not understood.
     pub fn check(&self, measured: &Measured) -> Result<Checked, CheckError> {
-        let key = &self.key;
         let measured = &self.with_usual_points(measured);
-        let mut entries = entries_by(measured, key, &self.names)?;
+        match entries_by(measured, &self.key, &self.names)? {
+            entries if entries.is_empty() => Err(is_empty()),
+            entries => self.checked(measured, entries),
+        }
+    }
+
+    /// The same of the form that a drawing gives, which may have no values yet.
+    ///
+    /// # Errors
+    /// The scene's figure lacks a sheet.
+    pub fn check_drawn(&self, form: &Measured) -> Result<Checked, CheckError> {
+        self.checked(form, entries_by(form, &self.key, &self.names)?)
+    }
+
+    fn checked(&self, measured: &Measured, mut entries: Vec<Entry>) -> Result<Checked, CheckError> {
+        let key = &self.key;
         let (mu, scales) = sensible(key, measured.mu);
         let ready = self.ready(mu, &entries)?;
         let common = CommonError::of(&entries, &ready.right, &ready.bands);
@@ -140,7 +154,7 @@ impl<'a> Prepared<'a> {
             places.any(|points| points.is_mirrored(own))
         });
         let mirrored = mirrored.map(|own| own.sheet).collect();
-        let (turned, missing) = (turned(measured, key.solution), self.missing(measured, &entries));
+        let (turned, missing) = (turned(measured, key.solution), self.missing(&entries));
         let hints = measured.hints;
         Ok(Checked { values, diagnosis, accuracy, mirrored, turned, missing, scales, common, values_of: None, hints })
     }
@@ -228,23 +242,10 @@ impl<'a> Prepared<'a> {
         likely.into_iter().map(|index| search.pool[index].clone()).collect()
     }
 
-    /// The rows of what a form asks for and has no value of: its blanks; of an exercise's form all that the exercise asks for. Where
-    /// places of points are given alone, as from a photograph, rates and the scheme are not asked for.
-    fn missing(&self, measured: &Measured, entries: &[Entry]) -> Vec<String> {
-        let is_whole = measured.exercise.is_some() && !measured.values.is_empty();
-        let blank: BTreeSet<&str> = measured.blank.iter().map(|name| name.trim_end_matches(ON_PAPER)).collect();
-        let is_seen = |row: &str| {
-            let Ok(asked) = QuantityRequest::new(row, &self.key.solution.mechanism) else { return false };
-            let mut given = measured.points.iter().filter_map(|given| PaperPoints::of(self.key.solution, given.sheet));
-            given.any(|points| !points.named_by(&asked).is_empty())
-        };
-        let is_asked = |row: &str| {
-            let is_blank = blank.contains(row) || blank.contains(self.names.in_form(row).as_str());
-            is_whole || (is_blank && (!measured.values.is_empty() || is_seen(row)))
-        };
+    /// The rows of the scene's form that have no value, whatever the student's form has boxes for.
+    fn missing(&self, entries: &[Entry]) -> Vec<String> {
         let given: BTreeSet<&str> = entries.iter().map(|entry| entry.row.as_str()).collect();
-        let missing = self.names.rows().filter(|row| !given.contains(row) && is_asked(row));
-        missing.map(str::to_owned).collect()
+        self.names.rows().filter(|row| !given.contains(row)).map(str::to_owned).collect()
     }
 
     /// The values with the usual names of plan points, which may be written in any notation.

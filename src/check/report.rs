@@ -3,7 +3,7 @@
 mod basis;
 mod lessons;
 
-use super::checked::{Checked, Explanation, Finding, Judged, Verdict};
+use super::checked::{Basis, Checked, Explanation, Finding, Judged, Verdict};
 use super::measured::AnswerKey;
 use super::mistakes::{Candidate, Mistake};
 use super::names::Names;
@@ -222,7 +222,7 @@ impl<'a> ReportText<'a> {
             let percent = self.words.write(percent, signed(digits).on(self.medium));
             format!("{percent} %")
         });
-        let tolerance = value.tolerance.map(|t| format!("±{}", self.number(t, 2)));
+        let tolerance = (value.basis != Basis::Given).then(|| format!("±{}", self.number(value.tolerance, 2)));
         let turned = || self.own.check_off_turned(&self.words.write(value.difference.abs(), NumberStyle::decimals(0)));
         let verdict = match value.verdict {
             Verdict::Off if is_angle && entry.asked.written.component.is_some() => &turned(),
@@ -230,9 +230,7 @@ impl<'a> ReportText<'a> {
             Verdict::WithinTolerance => self.own.check_within(),
             Verdict::SenseMissing => self.own.check_sense_missing(),
             Verdict::Off => self.own.check_off(),
-            Verdict::TooCoarse => self.own.check_cannot_tell(),
-            Verdict::Unjudged if value.tolerance.is_some() => self.own.check_cannot_tell(),
-            Verdict::Unjudged => self.own.check_unjudged(),
+            Verdict::TooCoarse | Verdict::TooSmall => self.own.check_cannot_tell(),
         };
         [
             self.names.shown(&entry.asked),

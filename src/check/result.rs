@@ -1,6 +1,6 @@
 //! The report as JSON.
 
-use super::checked::{Accuracy, Checked, Explanation, Finding, Verdict};
+use super::checked::{Accuracy, Basis, Checked, Explanation, Finding, Verdict};
 use super::common::CommonError;
 use super::marks::Awarded;
 use super::measured::AnswerKey;
@@ -19,7 +19,7 @@ pub struct CheckResult {
     /// Whose drawing it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<Untrusted>,
-    /// Whether all that is asked for is there and right: nothing off, missing or without information, no plan mirrored.
+    /// Whether all that the scene asks for is there and right: nothing off, missing, without a sense or without information, no plan mirrored.
     pub passed: bool,
     /// The values in the order of the construction.
     pub values: Vec<ValueResult>,
@@ -38,8 +38,7 @@ pub struct CheckResult {
     /// Plans whose places on paper lie turned to the scheme, with all of the sheet; directions are judged without that.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub turned: Vec<TurnedResult>,
-    /// What the form asks for and has no value of: boxes left blank, points that a photograph does not show; of an
-    /// exercise's form all that the exercise asks for.
+    /// What the scene asks for, by its `form` or else by all its steps, and the form has no value of.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub missing: Vec<String>,
     /// The exercise of the class whose values these are, where they are those of another one.
@@ -107,11 +106,14 @@ pub struct ValueResult {
     /// The same in per cent of the exact value.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub percent: Option<f64>,
-    /// Largest difference of a value drawn within the tolerance.
+    /// Largest difference that is within the tolerance; left out where the scene gives the value.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowed: Option<f64>,
+    /// Whether that is a coarse tolerance, as no construction by hand gives the value.
+    #[serde(default, skip_serializing_if = "core::ops::Not::not")]
+    pub coarse: bool,
     /// "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off", "too-coarse" (its digits tell nothing)
-    /// or "unjudged" (no construction gives it, or it is too small on its sheet).
+    /// or "unjudged" (it is too small on its sheet).
     #[schemars(with = "String")]
     pub verdict: Verdict,
 }
@@ -169,7 +171,8 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrust
             difference: value.difference,
             difference_mm: entry.per_mm.map(|mu| value.difference / mu).filter(|mm| mm.is_finite()),
             percent: Some(100.0 * value.difference / entry.expected.abs()).filter(|percent| percent.is_finite()),
-            allowed: value.tolerance,
+            allowed: (value.basis != Basis::Given).then_some(value.tolerance),
+            coarse: value.basis == Basis::Coarse,
             verdict: value.verdict,
         }
     });

@@ -59,6 +59,8 @@ messages! { "check":
     close_quotation;
     no_table(error);
     write_lines;
+    value_without_name(text);
+    value_in_unit(text);
     no_sense(text);
     write_sense;
     values_in(unit);

@@ -2,16 +2,13 @@
 
 use super::measured::{CheckError, Measured, PlacedPoint, PointsOf, Positive, WIDEST};
 use super::says;
-use super::written::{given, with_point};
+use super::written::{given, with_point, with_unit};
 use crate::message::Message;
 use crate::sheet::Sheet;
 use crate::text::{Untrusted, cell, quoted, shown};
 
-/// The lines of a table that are no values, beside those of scales.
-const HEAD: [&str; 6] = ["name", "exercise", "positive", "in", "upright", "hints"];
-
 impl Measured {
-    /// The values of a table; of blanks the names. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
+    /// The values of a table. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
     /// `mu_v`, `mu_a`, `positive` and `in`. A line `velocity:b,114,-2.7` gives the place of a plan point on paper, in
     /// millimetres; a fourth cell how far it may be from there. Cells are separated by commas, semicolons or tabs; numbers
     /// may have decimal commas. Lines that are wrong are among its `faults`.
@@ -65,14 +62,18 @@ impl Measured {
         }
         // Some spreadsheets say in their first line which separator they use.
         let is_head = name.eq_ignore_ascii_case("quantity") || name.starts_with("sep=");
-        if name.is_empty() || is_head {
+        if is_head {
             return Ok(());
         }
         if value.is_empty() {
-            if !HEAD.contains(&name) && Sheet::ALL.iter().all(|sheet| sheet.facts().scale_key != name) {
-                self.blank.push(name.to_owned());
-            }
-            return Ok(());
+            // Beside a blank stands its unit at most.
+            return match third != "1" && with_unit(third).0.parse::<f64>().is_ok() {
+                true => Err(CheckError::new(says::value_in_unit(shown(third)), says::write_lines())),
+                false => Ok(()),
+            };
+        }
+        if name.is_empty() {
+            return Err(CheckError::new(says::value_without_name(shown(value)), says::write_lines()));
         }
         self.line(name, value, third, place)
     }

@@ -1,6 +1,7 @@
-//! The verdict on each value: by the band of honest hands, by what its digits tell, and by a hand that is worse than supposed.
+//! The verdict on each value: by the band of honest hands, else by a coarse tolerance, by what its digits tell, and by a hand that is worse than
+//! supposed.
 
-use super::checked::{BANDS, Judged, Verdict};
+use super::checked::{BANDS, Basis, Judged, Verdict};
 use super::covariance::Hand;
 use super::entry::Entry;
 use super::measured::AnswerKey;
@@ -17,29 +18,47 @@ pub(super) fn judged(entries: &[Entry], right: &Model, bands: &[Option<Band>]) -
         let is_size = entry.is_magnitude || reading.is_ok_and(|r| r.is_size());
         let [value, expected] = [entry.value, entry.expected].map(|x| if is_size { x.abs() } else { x });
         let difference = entry.asked.turned(value - expected);
-        let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
-        let drawn = band.map_or(0.0, |band| BANDS * band.band);
-        let telling = Telling::new(&entry.asked, expected, largest(entries, entry.asked.kind()));
-        let is_too_coarse = telling.is_too_coarse(entry.rounding, drawn);
-        let is_given = *reading == Err(Unread::Given);
+        let largest = largest(entries, entry.asked.kind());
+        let (basis, allowed) = match (band, reading) {
+            (Some(band), _) => (Basis::Drawn, BANDS * band.band),
+            (None, Err(Unread::Given)) => (Basis::Given, 0.0),
+            (None, _) => (Basis::Coarse, coarse(&entry.asked, expected, largest)),
+        };
+        let tolerance = allowed + entry.rounding;
+        let telling = Telling::new(&entry.asked, expected, largest);
         let has_no_sense = entry.is_magnitude && entry.value != 0.0;
         let off = difference.abs();
         // The factor 1.001 lets a last digit be rounded either way where the next is a five.
-        let verdict = match tolerance {
-            _ if off <= tolerance.unwrap_or(0.0).max(1.001 * entry.rounding) && is_too_coarse => Verdict::TooCoarse,
-            _ if off <= 1.001 * entry.rounding => Verdict::Right,
-            Some(tolerance) if off <= tolerance && telling.is_too_small(drawn, off) => Verdict::Unjudged,
-            Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
-            None if !is_given => Verdict::Unjudged,
-            _ => Verdict::Off,
+        let verdict = match () {
+            () if off > tolerance.max(1.001 * entry.rounding) + entry.doubt => Verdict::Off,
+            () if off > tolerance.max(1.001 * entry.rounding) => Verdict::TooCoarse,
+            () if telling.is_too_coarse(entry.rounding, allowed) => Verdict::TooCoarse,
+            () if off <= 1.001 * entry.rounding => Verdict::Right,
+            () if telling.is_too_small(allowed, off) => Verdict::TooSmall,
+            () => Verdict::WithinTolerance,
         };
         let verdict = match verdict {
             Verdict::Right | Verdict::WithinTolerance if has_no_sense => Verdict::SenseMissing,
             judged => judged,
         };
-        Judged { entry: entry.clone(), verdict, difference, tolerance }
+        Judged { entry: entry.clone(), verdict, difference, tolerance, basis }
     });
     judged.collect()
+}
+
+/// What is allowed of a value that no hand constructs, in parts of it; of an angle in degrees.
+pub(super) const COARSE: f64 = 0.05;
+pub(super) const COARSE_DEGREES: f64 = 2.0;
+
+/// The same at least, in parts of the largest value of its kind: beside that a small one may be nothing.
+const COARSE_LEAST: f64 = 0.01;
+
+/// What is allowed of a value for which no construction by hand says how near a hand comes.
+fn coarse(asked: &QuantityRequest, expected: f64, largest: f64) -> f64 {
+    match asked.kind() {
+        QuantityKind::Angle => COARSE_DEGREES,
+        _ => (COARSE * expected.abs()).max(COARSE_LEAST * largest),
+    }
 }
 
 /// What values of one kind must show to tell that somebody has found them.
@@ -109,13 +128,13 @@ pub(super) fn widened(
         let value = &mut values[datum.entry];
         let tolerance = BANDS * BAND * scorer.spread(place, &allowed) + value.entry.rounding;
         let is_outside = outside.get(place).is_some_and(|outside| *outside);
-        if !is_outside && value.tolerance.is_some_and(|usual| usual < tolerance) {
-            value.tolerance = Some(tolerance);
+        if !is_outside && value.basis == Basis::Drawn && value.tolerance < tolerance {
+            value.tolerance = tolerance;
             if value.verdict == Verdict::Off && value.difference.abs() <= tolerance {
                 let Entry { asked, expected, .. } = &value.entry;
                 let is_too_small = Telling::new(asked, *expected, largest[datum.entry])
                     .is_too_small(tolerance, value.difference.abs());
-                value.verdict = if is_too_small { Verdict::Unjudged } else { Verdict::WithinTolerance };
+                value.verdict = if is_too_small { Verdict::TooSmall } else { Verdict::WithinTolerance };
             }
         }
     }

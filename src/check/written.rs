@@ -2,8 +2,9 @@
 
 use super::measured::{CheckError, Given};
 use super::says;
+use super::units::factor;
 use crate::message::Message;
-use crate::scene::{LengthUnit, TimeUnit, Units};
+use crate::scene::Units;
 use crate::sheet::{QuantityKind, Sheet};
 use crate::text::shown;
 use crate::words::sheet_told;
@@ -111,7 +112,7 @@ pub(super) fn with_point(text: &str) -> String {
 }
 
 /// The number in a form's cell with a decimal point, and the unit behind it where one stands in the same cell, as `6,6 m/s`.
-fn with_unit(text: &str) -> (String, Option<String>) {
+pub(super) fn with_unit(text: &str) -> (String, Option<String>) {
     let whole = with_point(text);
     if whole.parse::<f64>().is_ok() {
         return (whole, None);
@@ -176,86 +177,5 @@ pub(super) fn factors(
         None => Ok((scale, scale)),
         Some((_, Some(mm))) => Ok((scale * mm, scale)),
         Some((unit, None)) => Err(CheckError::new(says::unit_on_paper(shown(name), shown(unit)), says::unit_or_mu())),
-    }
-}
-
-/// The factor from the unit `text` to the scene's unit of quantities of this kind.
-fn factor(text: &str, kind: QuantityKind, units: Units) -> Result<f64, CheckError> {
-    let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-    let compact = compact.replace("^2", "²").replace("**2", "²").replace('º', "°");
-    let compact = match compact.as_str() {
-        // As it stands on machines.
-        "min-1" | "min^-1" | "min⁻¹" => "1/min".to_owned(),
-        "s-1" | "s^-1" | "s⁻¹" => "1/s".to_owned(),
-        // No quantity of a form is in seconds to the other power.
-        _ if compact.ends_with("s2") || compact.ends_with("min2") => format!("{}²", &compact[..compact.len() - 1]),
-        _ => compact,
-    };
-    let (above, below) = match compact.split_once('/') {
-        Some((above, below)) => (above, Some(below)),
-        None => (compact.as_str(), None),
-    };
-    let length = || {
-        let unit = LengthUnit::ALL.into_iter().find(|unit| unit.as_str() == above)?;
-        Some(unit.metres() / units.length.metres())
-    };
-    let turn = || match above {
-        "rad" | "1" => Some(1.0),
-        "deg" | "°" => Some(1.0_f64.to_radians()),
-        "rev" => Some(core::f64::consts::TAU),
-        _ => None,
-    };
-    let seconds_of = |symbol: &str| TimeUnit::ALL.into_iter().find(|unit| unit.as_str() == symbol).map(seconds);
-    let own = seconds(units.time);
-    let per_time = |above: f64| Some(above * own / seconds_of(below?)?);
-    let per_time_squared = |above: f64| {
-        let time = seconds_of(below?.strip_suffix('²')?)?;
-        Some(above * own * own / (time * time))
-    };
-    let in_turns = core::f64::consts::TAU * own / 60.0;
-    let own_to_rpm = units.time.in_a_minute() / core::f64::consts::TAU;
-    let found = match (kind, compact.as_str()) {
-        (QuantityKind::Angle, "°" | "deg") => Some(1.0),
-        (QuantityKind::Angle, "rad") => Some(1.0_f64.to_degrees()),
-        (QuantityKind::Angle, _) => None,
-        (QuantityKind::AngularVelocity, "rpm" | "r.p.m." | "r/min" | "U/min") => Some(in_turns),
-        // In a scene that counts in minutes it is the unit of the scene.
-        (QuantityKind::AngularVelocity, "1/min") if units.time != TimeUnit::Min => Some(in_turns),
-        (QuantityKind::AngularVelocity, _) => turn().and_then(per_time),
-        (QuantityKind::AngularAcceleration, _) => turn().and_then(per_time_squared),
-        (QuantityKind::RotationalSpeed, "rpm" | "r.p.m." | "r/min" | "rev/min" | "U/min" | "1/min") => Some(1.0),
-        (QuantityKind::RotationalSpeed, _) => turn().and_then(per_time).map(|per_own| per_own * own_to_rpm),
-        (QuantityKind::SpeedRatio, own) => (own == "1").then_some(1.0),
-        (QuantityKind::Length | QuantityKind::Position, _) => length().filter(|_| below.is_none()),
-        (QuantityKind::Velocity, _) => length().and_then(per_time),
-        (QuantityKind::Acceleration, _) => length().and_then(per_time_squared),
-        (QuantityKind::Force | QuantityKind::Moment | QuantityKind::Power, own) => {
-            (own == kind.unit(units)).then_some(1.0)
-        }
-    };
-    found.ok_or_else(|| CheckError::new(says::no_unit_of(shown(text), said(kind)), says::write_unit(kind.unit(units))))
-}
-
-fn seconds(unit: TimeUnit) -> f64 {
-    match unit {
-        TimeUnit::S => 1.0,
-        TimeUnit::Min => 60.0,
-    }
-}
-
-fn said(kind: QuantityKind) -> Message {
-    match kind {
-        QuantityKind::Angle => says::angle(),
-        QuantityKind::AngularVelocity => says::angular_velocity(),
-        QuantityKind::RotationalSpeed => says::rotational_speed(),
-        QuantityKind::SpeedRatio => says::speed_ratio(),
-        QuantityKind::AngularAcceleration => says::angular_acceleration(),
-        QuantityKind::Position => says::position(),
-        QuantityKind::Length => says::length(),
-        QuantityKind::Velocity => says::velocity(),
-        QuantityKind::Acceleration => says::acceleration(),
-        QuantityKind::Force => says::force(),
-        QuantityKind::Moment => says::moment(),
-        QuantityKind::Power => says::power(),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::class::Subject;
 use super::files;
+use super::forms::text_in_folder;
 use super::message::{Failure, Source, passed};
 use crate::board::{BoardError, HandDrawing, Judge, JudgedDrawing, Verdict};
 use crate::check::{AnswerKey, ClassMistake, Measured, Mistake};
@@ -25,7 +26,8 @@ pub(super) fn judge(subject: &Subject<'_>, text: &Source, as_json: bool) -> Resu
     let result = judged.result(&judge, &drawing, &words);
     let marks = match &subject.scheme {
         Some(scheme) => {
-            let checked = subject.key.check(&judge.form(&drawing)).map_err(|error| text.misuse(&error))?;
+            let form = judge.form(&drawing, &judged);
+            let checked = subject.key.check_drawn(&form).map_err(|error| text.misuse(&error))?;
             Some(scheme.award(&checked))
         }
         None => None,
@@ -40,7 +42,7 @@ pub(super) fn judge(subject: &Subject<'_>, text: &Source, as_json: bool) -> Resu
         result.report(&words) + &marks.map_or_else(String::new, |marks| marks.line(&words) + "\n")
     };
     files::print_text(&printed)?;
-    passed(usize::from(result.first_wrong.is_some()), 0)
+    passed(usize::from(!result.passed), 0)
 }
 
 /// The exercise that a drawing names; `None` for a text that is no drawing.
@@ -54,13 +56,14 @@ pub(super) struct Drawn {
     pub form: Measured,
     /// What is wrong: the step of the construction, the mistake, what is to be said of it.
     pub wrong: Vec<(ClassMistake, String)>,
+    /// What is asked for and not there.
+    pub missing: Vec<String>,
 }
 
 /// The drawing in a file, judged; `None` for a file that is none.
 pub(super) fn drawn(path: &Path, key: &AnswerKey<'_>) -> Result<Option<Drawn>, String> {
     // What is no file, or no text, is refused where forms are read.
-    let read = || path.is_file().then(|| files::read_form(path).ok()).flatten();
-    let Some(text) = read().filter(|text| HandDrawing::is_one(&text.text)) else { return Ok(None) };
+    let Some(text) = text_in_folder(path).ok().filter(|text| HandDrawing::is_one(&text.text)) else { return Ok(None) };
     let judge = Judge::new(key);
     let drawing = judge.read(&text.text).map_err(|error| text.fail(error).line(""))?;
     let words = key.solution.wording();
@@ -68,7 +71,8 @@ pub(super) fn drawn(path: &Path, key: &AnswerKey<'_>) -> Result<Option<Drawn>, S
     let judged =
         judged.map_err(|BoardError { entry, message }| format!("did.{entry}: {}", words.language.says(&message)))?;
     let wrong = wrong(&judge, &drawing, &judged);
-    Ok(Some(Drawn { form: judge.form(&drawing), wrong }))
+    let form = judge.form(&drawing, &judged);
+    Ok(Some(Drawn { missing: judge.missing(&form), form, wrong }))
 }
 
 fn wrong(judge: &Judge, drawing: &HandDrawing, judged: &JudgedDrawing) -> Vec<(ClassMistake, String)> {

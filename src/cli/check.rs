@@ -2,7 +2,7 @@ use super::board;
 use super::class::{Class, Form, ReportFormat, Subject};
 use super::feedback::{Correction, FeedbackOptions, Pages};
 use super::files;
-use super::forms::{ExerciseFiles, ExerciseFolder, file_name, forms, measured, read};
+use super::forms::{ExerciseFiles, ExerciseFolder, file_name, forms, measured, read, text_in_folder};
 use super::message::{Failure, Source, passed, refuse, warn};
 use super::options::{Hand, Words};
 use super::output::FileSet;
@@ -24,7 +24,8 @@ use std::path::{Path, PathBuf};
 const AFTER_HELP: &str = "\
 Without --pencil-mm and --pencil-degrees the tolerance follows the hand that the scatter of all values shows, up to ±1 mm and ±1°.
 
-Exit code: 0 no value is off, 1 some are, 2 something is not understood; of a folder: 0 all files are passed, 1 some are not, \
+Exit code: 0 all that the scene asks for is there and right (by its `form`, else by all its steps), 1 something is off, missing or tells \
+nothing, 2 something is not understood; of a folder: 0 all files are passed, 1 some are not, \
 2 some are not understood (their rows say why; the table is written all the same).
 
 Examples:
@@ -293,7 +294,7 @@ impl Check {
         let form = |path: &PathBuf| {
             let inside = path.strip_prefix(folder).unwrap_or(path);
             // A form that is not understood says so in its row, whatever its exercise.
-            let drawn = || files::read_form(path).ok().and_then(|text| board::exercise(&text.text)).flatten();
+            let drawn = || text_in_folder(path).ok().and_then(|text| board::exercise(&text.text)).flatten();
             let named = measured(path).map_or_else(|_| drawn(), |measured| measured.exercise);
             let exercise = exercises.of_form(named.as_ref(), inside);
             Form { path: path.clone(), file: file_name(path, folder), exercise }

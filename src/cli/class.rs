@@ -172,21 +172,23 @@ impl Class<'_> {
             Ok(Ok(subject)) => board::drawn(&form.path, &subject.key.key().clone())?,
             _ => None,
         };
-        let (mut measured, drawn) = match drawn {
-            Some(drawn) => (drawn.form, Some(drawn.wrong)),
+        let (measured, drawn) = match drawn {
+            Some(drawn) => (drawn.form, Some((drawn.wrong, drawn.missing))),
             None => (measured(&form.path)?, None),
         };
         let (exercise, subject) = (exercise?, subject??);
-        // Of an exercise all is asked for, wherever its name stands.
-        measured.exercise = measured.exercise.or(subject.name.map(Untrusted::from));
-        let checked = subject.key.check(&measured);
+        let checked = if drawn.is_some() { subject.key.check_drawn(&measured) } else { subject.key.check(&measured) };
         let mut checked = checked.map_err(|error| Failure::from(error).line(""))?;
+        let wrong = drawn.map(|(wrong, missing)| {
+            checked.missing = missing;
+            wrong
+        });
         if let Some(other) = self.other_exercise(exercise, &measured, &checked) {
             checked.put_down_to(other);
         }
         let (name, file) = (measured.name.as_ref(), form.file.clone());
         let mut row = ClassRow::checked(file, name, &checked, subject.key.key(), subject.scheme.as_ref());
-        if let Some(wrong) = drawn {
+        if let Some(wrong) = wrong {
             row.judge_drawing(wrong);
         }
         let page = self.page(index, || {

@@ -180,6 +180,11 @@ pub(super) fn is_below(file: &Path, folder: &Path) -> bool {
     file.zip(folder).is_some_and(|(file, folder)| file.starts_with(folder))
 }
 
+/// Whether a path in somebody else's folder is a link that leads out of it: what stands there is not read.
+pub(super) fn leads_outside(path: &Path, folder: &Path) -> bool {
+    path.exists() && !is_below(path, folder)
+}
+
 /// Whether a path for output is a folder: an existing one, or one whose name ends in `/`.
 pub(super) fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.as_os_str().to_string_lossy().ends_with('/')

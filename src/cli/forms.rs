@@ -64,8 +64,19 @@ pub(super) fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
     }
 }
 
-/// The values of a form, or why it is not understood.
+/// The values of a form in a folder, or why it is not understood.
 pub(super) fn measured(path: &Path) -> Result<Measured, String> {
+    let text = text_in_folder(path)?;
+    let read = caught(|| read(path, &text))?;
+    read.map_err(|failure| failure.line(&path.display().to_string()))
+}
+
+/// The text of a form or drawing in a folder, or why it is not read.
+pub(super) fn text_in_folder(path: &Path) -> Result<Source, String> {
+    // Whoever handed it in may link to any file, also to that of somebody else.
+    if files::leads_outside(path, path.parent().unwrap_or(Path::new(""))) {
+        return Err("it is a link to a file outside of its folder, which is not read".to_owned());
+    }
     // A pipe or a device is not opened: reading it could block.
     if let Ok(found) = fs::metadata(path)
         && !found.is_file()
@@ -76,8 +87,8 @@ pub(super) fn measured(path: &Path) -> Result<Measured, String> {
         let what = if found.is_dir() { "a folder" } else { "special" };
         return Err(format!("it is {what}, no file with values"));
     }
-    let read = caught(|| files::read_form(path).and_then(|text| read(path, &text)))?;
-    read.map_err(|failure| failure.line(&path.display().to_string()))
+    let text = caught(|| files::read_form(path))?;
+    text.map_err(|failure| failure.line(&path.display().to_string()))
 }
 
 /// A path in a folder as a report shows it; bytes that are not UTF-8 are replaced.
@@ -137,6 +148,15 @@ impl ExerciseFolder {
             all.push(ExerciseFiles { name: name(place.file_name()), scene, folder: Some(folder.to_owned()) });
         } else {
             all.extend(files::entries(folder)?.iter().filter_map(|path| exercise(path)));
+        }
+        for exercise in &all {
+            let read = [Some(exercise.scene.clone()), exercise.marks()].into_iter().flatten();
+            if let Some(outside) = read.into_iter().find(|file| files::leads_outside(file, folder)) {
+                return refuse(
+                    format!("{} is a link to a file outside of its folder, which is not read", outside.display()),
+                    "put a copy of the file there",
+                );
+            }
         }
         all.sort_by(|a, b| a.name.cmp(&b.name));
         if let Some(same) = all.windows(2).find(|pair| pair[0].name == pair[1].name) {

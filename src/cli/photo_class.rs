@@ -12,6 +12,7 @@ use crate::construction::Solution;
 use crate::cores::on_all_cores;
 use crate::text::{Untrusted, cell, quoted};
 use std::collections::BTreeMap;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 /// A scene that photographs may be of, solved.
@@ -84,7 +85,7 @@ impl Check {
             return self.form(exercise, solution, &source, &result.measured);
         }
         note_next(form.as_deref(), &exercise.scene);
-        passed(result.count(Some(PointVerdict::Off)), 0)
+        passed(result.points.len() - result.count(Some(PointVerdict::Right)), 0)
     }
 
     /// What the photographs of the student of that name tell, for each exercise that they show.
@@ -149,7 +150,15 @@ impl Check {
         let (mut files, mut broken, mut off) = (FileSet::default(), 0, 0);
         // A few at a time: each has pictures of many megabytes.
         for some in students.chunks(4) {
-            let results = on_all_cores(some, |(name, paths)| self.results(paths, name, &subjects));
+            let results = on_all_cores(some, |(name, paths)| {
+                match paths.iter().find(|path| files::leads_outside(path, path.parent().unwrap_or(Path::new("")))) {
+                    Some(outside) => refuse(
+                        format!("{} is a link to a file outside of its folder, which is not read", outside.display()),
+                        "put a copy of the photograph there",
+                    ),
+                    None => self.results(paths, name, &subjects),
+                }
+            });
             for ((name, paths), results) in some.iter().zip(results) {
                 let written = results.and_then(|results| {
                     let is_only = results.len() == 1;
@@ -163,7 +172,7 @@ impl Check {
                 match written {
                     Ok(results) => {
                         for (form, result) in results {
-                            off += usize::from(result.count(Some(PointVerdict::Off)) > 0);
+                            off += usize::from(result.count(Some(PointVerdict::Right)) < result.points.len());
                             table += &result.row(&form);
                         }
                     }
@@ -199,7 +208,7 @@ impl Check {
 fn photos_below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut photos = Vec::new();
     for path in files::entries(folder)? {
-        if path.is_dir() {
+        if fs::symlink_metadata(&path).is_ok_and(|found| found.is_dir()) {
             let inside = files::entries(&path)?.into_iter();
             photos.extend(inside.filter(|path| path.is_file() && is_photograph(path)));
         } else if is_photograph(&path) {

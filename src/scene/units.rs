@@ -146,6 +146,12 @@ impl MassUnit {
 }
 
 impl ForceUnit {
+    /// Its size in newtons.
+    #[must_use]
+    pub fn newtons(self) -> f64 {
+        self.in_newtons().high
+    }
+
     fn in_newtons(self) -> Ball {
         match self {
             ForceUnit::N => Ball::from(1),

@@ -405,9 +405,7 @@ fn own_constructions_of_centres_are_right_and_complete() {
         let found = judge.judge(&own).unwrap_or_else(|error| panic!("{kind}: {error}"));
         let wrong = found.first_wrong().map(|index| &own.did[index]);
         assert!(wrong.is_none(), "{kind}: {wrong:?}: {:?}", found.verdicts);
-        let screen = Screen::new(judge, solution.wording());
-        assert!(screen.is_complete(&own), "{kind}");
-        assert!(!screen.is_complete(&drawing(&json!([]))), "{kind}");
+        assert_eq!(judge.missing(&judge.form(&own, &found)), [""; 0], "{kind}");
     }
 }
 
@@ -418,8 +416,7 @@ fn centres_by_a_route_of_ones_own_are_right_and_the_first_wrong_operation_is_nam
     let did = centers_of_four_bar();
     let right = judged(&judge, &Value::Array(did.clone()));
     assert!(right.first_wrong().is_none(), "{:?}", right.verdicts);
-    let screen = Screen::new(self::judge(&text), solved(&text).expect("a good scene").wording());
-    assert!(screen.is_complete(&drawing(&Value::Array(did.clone()))));
+    assert_eq!(judge.missing(&judge.form(&drawing(&Value::Array(did.clone())), &right)), [""; 0]);
     for (index, entry, mistake) in [
         (0, json!({ "join": "r1", "points": ["P(1,2)", "P(3,ground)"] }), "lines-without-common-link"),
         (4, json!({ "join": "r4", "points": ["P(1,ground)", "P(2,3)"] }), "lines-without-common-link"),

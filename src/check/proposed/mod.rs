@@ -10,7 +10,6 @@ mod reading;
 use super::checked::BANDS;
 use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
 use super::model::Model;
-use super::names::form_names;
 use super::photographs::{PencilledPlan, PointVerdict, hundredths};
 use super::placed::ROUNDING;
 use crate::geometry::{Vector, cross};
@@ -44,12 +43,10 @@ pub struct Proposal {
     pub found: Option<Found>,
 }
 
-/// The form that proposals make: by sheet the places that were found, with the radii that hold them, to 0.01 mm. Points that were not
-/// found are blank in it.
+/// The form that proposals make: by sheet the places that were found, with the radii that hold them, to 0.01 mm.
 #[must_use]
 pub fn proposed_form(proposals: &[Proposal], plans: &[PencilledPlan<'_>], key: &AnswerKey<'_>) -> Measured {
-    let blank = form_names(&key.solution.construction);
-    let mut measured = Measured { mu: key.scales, blank, upright: true, ..Measured::default() };
+    let mut measured = Measured { mu: key.scales, upright: true, ..Measured::default() };
     for plan in plans {
         measured.mu[plan.of()] = Some(plan.mu);
         let mut points = PointsOf::new(plan.of());

@@ -2,10 +2,11 @@
 //! how accurate the drawing is.
 
 use super::ReportText;
-use crate::check::checked::{Checked, Verdict};
+use crate::check::checked::{Basis, Checked, Verdict};
 use crate::check::common::CommonError;
-use crate::check::placed::TurnedPlan;
+use crate::check::placed::{COUNTED, TurnedPlan};
 use crate::check::sensible::StatedScale;
+use crate::check::verdicts::{COARSE, COARSE_DEGREES};
 use crate::words::{Language, NumberStyle};
 
 impl ReportText<'_> {
@@ -24,22 +25,34 @@ impl ReportText<'_> {
         let Checked { values, missing, .. } = self.checked;
         let names: Vec<String> = missing.iter().map(|row| self.names.named(row)).collect();
         let [count, asked] = [missing.len(), values.len() + missing.len()].map(|count| count.to_string());
-        (!missing.is_empty()).then(|| self.own.check_missing(&count, &asked, &names.join(", ")))
+        (!missing.is_empty()).then(|| match names.len().checked_sub(NAMED) {
+            Some(more @ 1..) => {
+                self.own.check_missing_many(&count, &asked, &names[..NAMED].join(", "), &more.to_string())
+            }
+            _ => self.own.check_missing(&count, &asked, &names.join(", ")),
+        })
     }
 
     /// Values on which the verdict does not rest, and by which scales it judges.
     pub(super) fn rests_on(&self) -> Vec<String> {
         let Checked { values, scales, .. } = self.checked;
         let with = |verdict| (0..values.len()).filter(|&i| values[i].verdict == verdict).collect::<Vec<usize>>();
-        let [coarse, small] = [Verdict::TooCoarse, Verdict::Unjudged].map(with);
-        let small: Vec<usize> = small.into_iter().filter(|&i| values[i].tolerance.is_some()).collect();
+        let [coarse, small] = [Verdict::TooCoarse, Verdict::TooSmall].map(with);
+        let by_coarse: Vec<usize> = (0..values.len()).filter(|&i| values[i].basis == Basis::Coarse).collect();
+        let number = |x: f64| self.words.write(x, NumberStyle::shortest());
+        let by_coarse = (!by_coarse.is_empty()).then(|| {
+            self.own.check_coarse(&self.names(&by_coarse), &number(100.0 * COARSE), &number(COARSE_DEGREES))
+        });
+        let (coarse, rough): (Vec<usize>, Vec<usize>) =
+            coarse.into_iter().partition(|&i| values[i].entry.doubt == 0.0);
         let coarse = (!coarse.is_empty()).then(|| self.own.check_coarse_digits(&self.names(&coarse)));
+        let rough = (!rough.is_empty()).then(|| self.own.check_rough_places(&self.names(&rough), &number(COUNTED)));
         let small = (!small.is_empty()).then(|| self.own.check_too_small(&self.names(&small)));
         let scales = scales.iter().map(|scale| self.scale(scale));
         let common = self.checked.common.map(|common| self.common(common));
         let values_of = self.checked.values_of.as_ref().map(|exercise| self.own.check_values_of(exercise));
         let turned = self.checked.turned.iter().map(|plan| self.turned(plan));
-        values_of.into_iter().chain(common).chain(coarse).chain(small).chain(scales).chain(turned).collect()
+        values_of.into_iter().chain(common).chain(by_coarse).chain(coarse).chain(rough).chain(small).chain(scales).chain(turned).collect()
     }
 
     /// The error that all measured lengths have in common.
@@ -106,12 +119,14 @@ impl ReportText<'_> {
         let (good, asked) = (right + within, self.checked.values.len() + self.checked.missing.len());
         match () {
             () if good + senses == 0 => self.own.check_tells_nothing().to_owned(),
-            () if senses == 0 && self.checked.is_passed() && good == asked => self.own.check_nothing().to_owned(),
-            () if senses == 0 => self.own.check_so_far(&good.to_string(), &asked.to_string()),
-            () => self.own.check_nothing_off().to_owned(),
+            () if self.checked.is_passed() => self.own.check_nothing().to_owned(),
+            () => self.own.check_so_far(&good.to_string(), &asked.to_string()),
         }
     }
 }
+
+/// Most of the values that are missing which a report names.
+const NAMED: usize = 24;
 
 /// Accuracy of a drawing from which on it is said, in mm.
 const SEEN: f64 = 0.05;

@@ -14,11 +14,16 @@ sentences! {
     check_off;
     /// The verdict on a direction.
     check_off_turned(degrees);
-    check_unjudged;
     check_cannot_tell;
     check_missing(count, asked, values);
+    /// In place of `check_missing` where only the first are named.
+    check_missing_many(count, asked, values, more);
     check_coarse_digits(values);
+    /// Places with large radii.
+    check_rough_places(values, mm);
     check_too_small(values);
+    /// Values without a construction by hand.
+    check_coarse(values, percent, degrees);
     check_all_larger(percent);
     check_all_smaller(percent);
     check_all_longer(mm);
@@ -40,8 +45,6 @@ sentences! {
     check_too_coarse(mm, degrees);
     check_probably;
     check_nothing;
-    /// In place of `check_nothing` where rates have no sense.
-    check_nothing_off;
     /// In place of `check_nothing` where something is missing or tells nothing.
     check_so_far(good, asked);
     check_tells_nothing;

@@ -35,8 +35,10 @@ pub struct BoardJudged {
     pub entries: Vec<kinegon::board::EntryResult>,
     /// The index of the first wrong one; none where nothing is wrong.
     pub first_wrong: Option<usize>,
-    /// Whether all that is to be found is there and nothing is wrong.
+    /// Whether all that the scene asks for is there and nothing is wrong.
     pub is_complete: bool,
+    /// What it asks for and is not there.
+    pub missing: Vec<String>,
 }
 
 /// Height of letters on a sheet of paper, in mm.
@@ -134,9 +136,9 @@ impl Kept {
 
     pub fn judge(&mut self, desk: &mut Desk, text: &str, drawing: &str) -> Result<BoardJudged, Refused> {
         let (screen, read, judged) = self.judged(desk, text, drawing)?;
-        let DrawingResult { entries, first_wrong } = judged.result(&screen.judge, read, &screen.words());
-        let is_complete = first_wrong.is_none() && screen.is_complete(read);
-        Ok(BoardJudged { entries, first_wrong, is_complete })
+        let DrawingResult { entries, first_wrong, passed, missing } =
+            judged.result(&screen.judge, read, &screen.words());
+        Ok(BoardJudged { entries, first_wrong, is_complete: passed, missing })
     }
 
     pub fn hint(&mut self, desk: &mut Desk, [text, drawing]: [&str; 2], stage: f64) -> Result<BoardHint, Refused> {
@@ -147,8 +149,8 @@ impl Kept {
     }
 
     pub fn form(&mut self, desk: &mut Desk, text: &str, drawing: &str) -> Result<String, Refused> {
-        let (screen, read) = self.drawing(desk, text, drawing)?;
-        Ok(screen.judge.form(read).json(&screen.judge.given().solution))
+        let (screen, read, judged) = self.judged(desk, text, drawing)?;
+        Ok(screen.judge.form(read, judged).json(&screen.judge.given().solution))
     }
 
     pub fn own(&mut self, desk: &mut Desk, text: &str) -> Result<String, Refused> {
