@@ -75,9 +75,8 @@ impl Given<'_> {
     /// The coordinates of a body's points in its own frame, in the order of its points.
     pub fn locals(&self, id: BodyId) -> Vec<Vector> {
         let body = self.mechanism.body(id);
-        // After the ground come the links of the scene, in its order.
-        let link = id.0.checked_sub(1).and_then(|index| self.scene.links.get_index(index));
-        match link.map(|(_, link)| (&link.shape, link.points.as_slice())) {
+        let link = Some(body).filter(|body| !body.is_nameless()).and_then(|body| self.scene.links.get(&body.name));
+        match link.map(|link| (&link.shape, link.points.as_slice())) {
             Some((Shape::Lengths(lengths), [a, b])) => {
                 vec![Vector::default(), Pair { x: self.length(lengths, a, b), y: Ball::default() }]
             }

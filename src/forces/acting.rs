@@ -230,7 +230,7 @@ pub(crate) fn places_of_loads(mechanism: &Mechanism, pose: &Pose) -> Vec<Point> 
 pub(crate) fn friction_circles(mechanism: &Mechanism) -> Vec<(PointId, f64)> {
     let loads = mechanism.loads.iter().map(|loads| &loads.0);
     let circle = |friction: &Friction| match &friction.joint {
-        RubbingJoint::Pin { point, radius } => Some((mechanism.point(point)?, radius * friction.grip.sine())),
+        RubbingJoint::Pin { point, radius, .. } => Some((mechanism.point(point)?, radius * friction.grip.sine())),
         RubbingJoint::Guide(_) => None,
     };
     loads.flat_map(|loads| &loads.friction).filter_map(circle).collect()
@@ -240,7 +240,7 @@ pub(crate) fn friction_circles(mechanism: &Mechanism) -> Vec<(PointId, f64)> {
 fn rubbed(mechanism: &Mechanism, friction: &Friction) -> Vec<(JointId, Rub)> {
     let grip = friction.grip;
     match &friction.joint {
-        RubbingJoint::Pin { point, radius } => {
+        RubbingJoint::Pin { point, radius, .. } => {
             mechanism.joints_at_pin(point).map(|joint| (joint, Rub::Pin { radius: *radius, grip })).collect()
         }
         RubbingJoint::Guide(name) => {

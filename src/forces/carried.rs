@@ -13,7 +13,8 @@ pub(crate) struct Carried<N = Ball> {
     /// Between teeth, at their pitch point: the part of the force on the first body along the tangent, which is the direction from the first wheel's
     /// centre to the second's, or from a wheel's centre to its rack, turned by +90°.
     pub tangential: N,
-    /// What friction in the joint does to its second body, about the joint's place: a couple at a pin, a force along a guide.
+    /// What friction in the joint does to the second of the bodies between which it rubs, about the joint's place: a couple at a pin, a force
+    /// along a guide.
     pub friction: Wrench<N>,
 }
 
@@ -84,8 +85,8 @@ impl<N: Solvable> Forces<N> {
 
     /// The couple of friction that a body receives at a pin from all other bodies there, counter-clockwise positive.
     pub(crate) fn friction_at_pin(&self, mechanism: &Mechanism, pin: PointId, body: BodyId) -> N {
-        let at_pin = mechanism.joints.iter().zip(&self.joints).filter(|(joint, _)| joint.pin == Some(pin));
-        at_pin.fold(N::default(), |sum, (joint, carried)| match joint.bodies {
+        let at_pin = mechanism.joint_ids().zip(&self.joints).filter(|(id, _)| mechanism.joint(*id).pin == Some(pin));
+        at_pin.fold(N::default(), |sum, (id, carried)| match mechanism.rubbing_bodies(id) {
             [_, second] if second == body => sum + carried.friction.moment,
             [first, _] if first == body => sum - carried.friction.moment,
             _ => sum,

@@ -5,11 +5,11 @@ use super::carried::{Carried, Forces};
 use super::friction::{Resisting, as_loads, resisting};
 use super::{Counted, Posed};
 use crate::geometry::{Equations, Pair};
-use crate::mechanism::{BodyId, GROUND, Joint, JointId, Mechanism, Role, Rolling};
+use crate::mechanism::{BodyId, GROUND, Group, Joint, JointId, Mechanism, Role, Rolling};
 use smallvec::{SmallVec, smallvec};
 
 /// What an unknown of the equations is.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 enum Unknown<N> {
     /// A part of what a joint carries: a force on its second body at the joint's place, or a couple.
     Joint(JointId, Part<N>),
@@ -17,10 +17,10 @@ enum Unknown<N> {
     Torque(BodyId),
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 enum Part<N> {
-    /// Of a pin's force in this direction, with the couple of friction that it brings.
-    Pin(Pair<N>, N),
+    /// Of a pin's force in this direction, with the couples of friction that it brings in joints of the pin.
+    Pin(Pair<N>, SmallVec<[(JointId, N); 1]>),
     /// Across a guide in this direction, with the friction along the guide that it brings.
     Across(Pair<N>, Pair<N>),
     /// The force of a drive along its guide.
@@ -72,17 +72,43 @@ pub(super) fn carried<N: Counted>(mechanism: &Mechanism, posed: &impl Posed<N>, 
         let moment = load.couple + (load.at - balance.about[load.body.0]).cross(load.force);
         balance.loads[load.body.0].add(Wrench { force: load.force, moment });
     }
-    for group in mechanism.groups.iter().rev() {
-        balance.solve(&group.bodies, &mechanism.joints_of(group))?;
-    }
-    for body in driven(mechanism) {
-        let joints = own_joint(mechanism, body).into_iter().collect::<Vec<JointId>>();
-        balance.solve(&[body], &joints)?;
+    for Cut { bodies, joints } in cuts(mechanism, list) {
+        balance.solve(&bodies, &joints)?;
     }
     let frame = balance.loads[GROUND.0];
     let friction = list.friction.iter().map(|&(joint, _)| (joint, balance.found.joints[joint.0].friction));
     let acting = acting.into_iter().chain(as_loads(mechanism, posed, friction)).collect();
     Some(Forces { acting, frame, ..balance.found })
+}
+
+/// Bodies that are cut free together.
+struct Cut {
+    bodies: Vec<BodyId>,
+    joints: Vec<JointId>,
+}
+
+/// What is cut free, one after the other: the groups, the last one first, and the driven bodies.
+///
+/// Where a pin rubs that is fixed in another body than that at which its joints are, the friction of each joint depends on what others carry: all
+/// that it joins is cut free together.
+fn cuts(mechanism: &Mechanism, list: &LoadList) -> Vec<Cut> {
+    let of_group = |group: &Group| Cut { bodies: group.bodies.clone(), joints: mechanism.joints_of(group) };
+    let of_driven = |body| Cut { bodies: vec![body], joints: own_joint(mechanism, body).into_iter().collect() };
+    let groups = mechanism.groups.iter().rev().map(of_group);
+    let mut cuts: Vec<Cut> = groups.chain(driven(mechanism).into_iter().map(of_driven)).collect();
+    for &(joint, _) in list.friction.iter().filter(|(joint, _)| mechanism.is_fixed_elsewhere(*joint)) {
+        let pin = mechanism.joint(joint).pin;
+        let is_at_pin = |cut: &Cut| cut.joints.iter().any(|&own| mechanism.joint(own).pin == pin);
+        if let (Some(first), Some(last)) = (cuts.iter().position(is_at_pin), cuts.iter().rposition(is_at_pin)) {
+            let (mut bodies, mut joints) = (Vec::new(), Vec::new());
+            for cut in cuts.drain(first..=last) {
+                bodies.extend(cut.bodies);
+                joints.extend(cut.joints);
+            }
+            cuts.insert(first, Cut { bodies, joints });
+        }
+    }
+    cuts
 }
 
 /// The driven bodies, those that others push after those that they push.
@@ -193,37 +219,53 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
         None
     }
 
-    /// What a pin carries.
-    fn of_pin(unknowns: &[Unknown<N>], found: &[N], joint: JointId) -> Pair<N> {
-        let parts = unknowns.iter().zip(found).filter_map(|(unknown, &x)| match *unknown {
-            Unknown::Joint(own, Part::Pin(along, _)) if own == joint => Some(along * x),
+    /// +1 if the force of a pin's joint acts on the second of the bodies between which another joint of the pin rubs, −1 if its reaction does;
+    /// `None` if neither.
+    fn share(&self, joint: JointId, rubbing: JointId) -> Option<N> {
+        let [_, body] = self.mechanism.rubbing_bodies(rubbing);
+        let (joint, rubbing) = (self.mechanism.joint(joint), self.mechanism.joint(rubbing));
+        let side = joint.bodies.iter().position(|&own| own == body).filter(|_| joint.pin == rubbing.pin)?;
+        Some(N::from([-1, 1][side]))
+    }
+
+    /// What rubs at a joint of a pin: the force with which the pin acts on the second body.
+    fn of_pin(&self, unknowns: &[Unknown<N>], found: &[N], joint: JointId) -> Pair<N> {
+        let parts = unknowns.iter().zip(found).filter_map(|(unknown, &x)| match unknown {
+            Unknown::Joint(own, Part::Pin(along, _)) => Some(*along * (self.share(*own, joint)? * x)),
             _ => None,
         });
         parts.fold(Pair::default(), |sum, part| sum + part)
     }
 
-    /// By joint: the couple of friction on its second body that is beside that of a pin's force as it leans, while it may be anywhere within
+    /// By joint: the couple of friction on the second body that is beside that of a pin's force as it leans, while it may be anywhere within
     /// its bounds.
     fn beside(&self, unknowns: &[Unknown<N>], found: &[N]) -> Vec<(JointId, N)> {
-        let all = self.resisting.iter().enumerate().filter_map(|(joint, resisting)| match resisting {
+        let beside = |(joint, by_size)| (joint, by_size * N::beyond_way(self.of_pin(unknowns, found, joint)));
+        self.couples().map(beside).collect()
+    }
+
+    /// The joints of pins that rub, with the couples by the sizes of what rubs.
+    fn couples(&self) -> impl Iterator<Item = (JointId, N)> {
+        self.resisting.iter().enumerate().filter_map(|(joint, resisting)| match resisting {
             Some(Resisting::Couple(by_size)) => Some((JointId(joint), *by_size)),
             _ => None,
-        });
-        let beside = |(joint, by_size)| (joint, by_size * N::beyond_way(Self::of_pin(unknowns, found, joint)));
-        all.map(beside).collect()
+        })
     }
 
     /// Makes forces lean as these ask for.
     fn lean(&self, unknowns: &mut [Unknown<N>], found: &[N]) {
-        let way = |unknown: &Unknown<N>| match *unknown {
-            Unknown::Joint(joint, Part::Pin(..)) if self.leans(unknown) => N::way(Self::of_pin(unknowns, found, joint)),
-            _ => Pair::default(),
-        };
-        let ways: Vec<Pair<N>> = unknowns.iter().map(way).collect();
-        for ((unknown, &x), way) in unknowns.iter_mut().zip(found).zip(ways) {
+        // The couples by the components of what rubs, along its way.
+        let by_parts = |(joint, by_size)| (joint, N::way(self.of_pin(unknowns, found, joint)) * by_size);
+        let by_parts: Vec<(JointId, Pair<N>)> = self.couples().map(by_parts).collect();
+        for (unknown, &x) in unknowns.iter_mut().zip(found) {
             let Unknown::Joint(joint, part) = unknown else { continue };
             match (part, self.resisting.get(joint.0).copied().flatten()) {
-                (Part::Pin(along, couple), Some(Resisting::Couple(by_size))) => *couple = by_size * way.dot(*along),
+                (Part::Pin(along, couples), Some(Resisting::Couple(_))) => {
+                    let of = |&(rubbing, by_parts): &(JointId, Pair<N>)| {
+                        Some((rubbing, by_parts.dot(*along) * self.share(*joint, rubbing)?))
+                    };
+                    *couples = by_parts.iter().filter_map(of).collect();
+                }
                 (Part::Across(_, friction), Some(Resisting::Along(by_size))) => {
                     *friction = by_size * x.sense(N::default());
                 }
@@ -241,7 +283,7 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
     fn solved(&self, bodies: &[BodyId], unknowns: &[Unknown<N>], beside: &[(JointId, N)]) -> Option<Vec<N>> {
         let mut equations = Equations::new(3 * bodies.len(), bodies.len());
         let row = |body: BodyId| bodies.iter().position(|&own| own == body);
-        for (column, &unknown) in unknowns.iter().enumerate() {
+        for (column, unknown) in unknowns.iter().enumerate() {
             for (body, wrench) in self.acts(unknown) {
                 if let Some(row) = row(body) {
                     equations.add(2 * row, column, wrench.force.x);
@@ -257,7 +299,7 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
             equations.add_right(2 * bodies.len() + row, -moment);
         }
         for &(joint, couple) in beside {
-            for (body, couple) in self.mechanism.joint(joint).bodies.into_iter().zip([-couple, couple]) {
+            for (body, couple) in self.mechanism.rubbing_bodies(joint).into_iter().zip([-couple, couple]) {
                 if let Some(row) = row(body) {
                     equations.add_right(2 * bodies.len() + row, -couple);
                 }
@@ -268,18 +310,21 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
 
     /// Notes what is found, and hands it on to the bodies on which these hang.
     fn hand_on(&mut self, bodies: &[BodyId], unknowns: &[Unknown<N>], found: Vec<N>) {
-        for (&unknown, x) in unknowns.iter().zip(found) {
+        for (unknown, x) in unknowns.iter().zip(found) {
             for (body, wrench) in self.acts(unknown) {
                 if !bodies.contains(&body) {
                     self.loads[body.0].add(wrench.times(x));
                 }
             }
-            match unknown {
+            match *unknown {
                 Unknown::Torque(body) => self.found.torques[body.0] = x,
-                Unknown::Joint(joint, Part::Pin(along, couple)) => {
+                Unknown::Joint(joint, Part::Pin(along, ref couples)) => {
                     let carried = &mut self.found.joints[joint.0];
                     carried.force = carried.force.plus_scaled(along, x);
-                    carried.friction.moment = carried.friction.moment + couple * x;
+                    for &(rubbing, couple) in couples {
+                        let friction = &mut self.found.joints[rubbing.0].friction;
+                        friction.moment = friction.moment + couple * x;
+                    }
                 }
                 Unknown::Joint(joint, Part::Across(along, friction)) => {
                     let carried = &mut self.found.joints[joint.0];
@@ -333,8 +378,8 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
         let mut parts: SmallVec<[Part<N>; 3]> = SmallVec::new();
         if joint.pin.is_some() {
             let [one, none] = [1, 0].map(N::from);
-            parts.push(Part::Pin(Pair { x: one, y: none }, none));
-            parts.push(Part::Pin(Pair { x: none, y: one }, none));
+            parts.push(Part::Pin(Pair { x: one, y: none }, SmallVec::new()));
+            parts.push(Part::Pin(Pair { x: none, y: one }, SmallVec::new()));
         }
         if let Some(slider) = joint.slider {
             let along = self.posed.guide(slider);
@@ -352,9 +397,9 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
     }
 
     /// What an unknown of size 1 does to which bodies.
-    fn acts(&self, unknown: Unknown<N>) -> SmallVec<[(BodyId, Wrench<N>); 3]> {
+    fn acts(&self, unknown: &Unknown<N>) -> SmallVec<[(BodyId, Wrench<N>); 3]> {
         let couple = |weight: i32| Wrench { force: Pair::default(), moment: weight.into() };
-        match unknown {
+        match *unknown {
             Unknown::Torque(body) => smallvec![(body, couple(1)), (GROUND, couple(-1))],
             Unknown::Joint(joint, Part::Couple) => {
                 let angular = self.mechanism.joint(joint).angular.iter();
@@ -362,27 +407,32 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
                 terms.map(|&(body, weight)| (body, couple(weight))).collect()
             }
             Unknown::Joint(joint, Part::Tooth(Tooth { at, tangent, push, .. })) => {
-                self.on_both(joint, at, -(tangent + push), N::default())
+                self.on_both(joint, at, -(tangent + push))
             }
-            Unknown::Joint(joint, part) => {
+            Unknown::Joint(joint, ref part) => {
                 let at = self.posed.place(self.mechanism.joint_point(joint));
-                let (force, couple) = match part {
-                    Part::Pin(along, couple) => (along, couple),
-                    Part::Across(along, friction) => (along + friction, N::default()),
-                    Part::Push(along) => (along, N::default()),
-                    Part::Couple | Part::Tooth(_) => return SmallVec::new(),
-                };
-                self.on_both(joint, at, force, couple)
+                match *part {
+                    Part::Pin(along, ref couples) => {
+                        let mut acts = self.on_both(joint, at, along);
+                        for &(rubbing, moment) in couples {
+                            let [first, second] = self.mechanism.rubbing_bodies(rubbing);
+                            let couple = |moment| Wrench { force: Pair::default(), moment };
+                            acts.extend([(first, couple(-moment)), (second, couple(moment))]);
+                        }
+                        acts
+                    }
+                    Part::Across(along, friction) => self.on_both(joint, at, along + friction),
+                    Part::Push(along) => self.on_both(joint, at, along),
+                    Part::Couple | Part::Tooth(_) => SmallVec::new(),
+                }
             }
         }
     }
 
-    /// A force at a place and a couple on the second body of a joint, and their opposites on the first.
-    fn on_both(&self, joint: JointId, at: Pair<N>, force: Pair<N>, couple: N) -> SmallVec<[(BodyId, Wrench<N>); 3]> {
+    /// A force at a place on the second body of a joint, and its opposite on the first.
+    fn on_both(&self, joint: JointId, at: Pair<N>, force: Pair<N>) -> SmallVec<[(BodyId, Wrench<N>); 3]> {
         let [first, second] = self.mechanism.joint(joint).bodies;
-        let on = |body: BodyId, force: Pair<N>, couple: N| {
-            (body, Wrench { force, moment: (at - self.about[body.0]).cross(force) + couple })
-        };
-        smallvec![on(first, -force, -couple), on(second, force, couple)]
+        let on = |body: BodyId, force: Pair<N>| (body, Wrench { force, moment: (at - self.about[body.0]).cross(force) });
+        smallvec![on(first, -force), on(second, force)]
     }
 }

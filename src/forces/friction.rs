@@ -18,10 +18,10 @@ use crate::mechanism::{GROUND, JointId, Mechanism};
 /// Rates below the largest over the square of this are none: what is left of zero by rounding.
 const AT_REST: i32 = 100_000;
 
-/// What resists the motion of a joint's second body against its first.
+/// What resists the motion of the second of the bodies between which a joint rubs against the first.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Resisting<N> {
-    /// A couple, by the size of the pin's force.
+    /// A couple, by the size of the force with which the pin acts on the second body.
     Couple(N),
     /// A force along the guide, by the size of the force across it.
     Along(Pair<N>),
@@ -39,7 +39,7 @@ pub(super) fn resisting<N: Counted>(
     let size = |vector: Pair<N>| vector.dot(vector).sqrt();
     let rates = |id: JointId| {
         let at = posed.place(mechanism.joint_point(id));
-        mechanism.joint(id).bodies.map(|body| posed.rates(body, at))
+        mechanism.rubbing_bodies(id).map(|body| posed.rates(body, at))
     };
     let all = || mechanism.joint_ids().filter(|&id| mechanism.joint(id).holds_places()).flat_map(rates);
     let least =
@@ -85,7 +85,7 @@ pub(super) fn as_loads<N: Solvable>(
 ) -> Vec<Acting<N>> {
     let both = |(joint, Wrench { force, moment }): (JointId, Wrench<N>)| {
         let at = posed.place(mechanism.joint_point(joint));
-        let [first, second] = mechanism.joint(joint).bodies;
+        let [first, second] = mechanism.rubbing_bodies(joint);
         let source = Source::Friction(joint);
         [
             Acting { source, body: second, at, force, couple: moment },

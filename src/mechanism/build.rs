@@ -1,17 +1,17 @@
 use super::drives::{link_angle_for_drive, places_from_drives, role};
 use super::group::group;
-use super::joint::{add_given, add_pins, held_here_alone, refresh_contacts, unlike_wheels};
+use super::joint::{Joint, add_given, held_here_alone, refresh_contacts, unlike_wheels};
 use super::loaded::check_loads;
 use super::says;
 use super::shape::{Side, local_points};
 use super::structure::{Edge, Structure, structure};
 use super::{
-    Body, BodyId, GROUND, Group, Guide, JointId, LoopEquations, Mechanism, Placing, PointId, Role, Slider,
+    Body, BodyId, GROUND, Guide, LoopEquations, Mechanism, Placing, PointId, Role, Slider,
     StructureError,
 };
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::message::Message;
-use crate::scene::{Along, GivenBy, Link, Scene, Shape};
+use crate::scene::{Along, GivenBy, Link, Scene, Shape, by_name};
 use indexmap::{IndexMap, IndexSet};
 use std::cell::LazyCell;
 use std::f64::consts::{PI, TAU};
@@ -49,9 +49,8 @@ pub fn mechanism_with(
     let given_angle = link_angle_for_drive(scene)?;
     let unpinned = given_angle.map(|_| mechanism.clone());
     mechanism.join_driven();
-    add_pins(&mut mechanism);
+    add_groups(scene, &mut mechanism)?;
     check_loads(scene, &mechanism)?;
-    mechanism.groups = groups(scene, &mechanism)?;
     if let (Some((link, angle)), Some(unpinned)) = (given_angle, unpinned) {
         mechanism.placing = Some(Box::new(placing(scene, unpinned, link, angle)?));
     }
@@ -69,7 +68,7 @@ pub(crate) fn renumber(mechanism: &mut Mechanism, scene: &Scene) -> Option<()> {
         let mut other = bodies(scene, &[]).ok()?;
         add_given(scene, &mut other);
         other.join_driven();
-        add_pins(&mut other);
+        other.joints.extend(std::mem::take(&mut mechanism.joints).into_iter().filter(|joint| joint.pin.is_some()));
         other.groups = std::mem::take(&mut mechanism.groups);
         *mechanism = other;
         return mechanism.doubtful_sides.is_empty().then_some(());
@@ -84,7 +83,7 @@ pub(crate) fn renumber(mechanism: &mut Mechanism, scene: &Scene) -> Option<()> {
         *local = place;
     }
     let driven = LazyCell::new(|| places_from_drives(scene));
-    for (body, link) in links.iter_mut().zip(scene.links.values()) {
+    for (body, (_, link)) in links.iter_mut().zip(links_in_order(scene)) {
         let side;
         (body.local, side) = shaped(scene, link, &driven);
         if side == Side::Doubtful || link.motion.is_some() {
@@ -98,23 +97,37 @@ pub(crate) fn renumber(mechanism: &mut Mechanism, scene: &Scene) -> Option<()> {
     Some(())
 }
 
-/// The Assur groups of the links of unknown motion, in an order in which they can be solved.
-fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureError> {
+/// Adds the pins and the Assur groups of the links of unknown motion, in an order in which they can be solved.
+///
+/// Pins follow from shared points: a pin through n bodies counts as n − 1 joints, all at a body whose motion is known first.
+/// Of a pin through three or more links of unknown motion the groups tell which that is, so that the joints do not decide the groups.
+fn add_groups(scene: &Scene, mechanism: &mut Mechanism) -> Result<(), StructureError> {
     let members: Vec<BodyId> = mechanism.body_ids().filter(|&b| mechanism.body(b).role == Role::Member).collect();
     let mut places = vec![None; mechanism.bodies.len()];
     for (index, member) in members.iter().enumerate() {
         places[member.0] = Some(index);
     }
+    let given = mechanism.joints.len();
+    let pins = pins(mechanism);
+    mechanism.joints.extend(pins.iter().flat_map(Pin::joints));
     let index = |b: BodyId| places[mechanism.lead(b).0];
-    let edges: Vec<Edge> = mechanism
-        .joints
-        .iter()
-        .map(|joint| Edge { ends: joint.bodies.map(index), constraints: joint.constraints() })
-        .collect();
+    let edge = |joint: &Joint| {
+        let slides = joint.angular.iter().filter_map(|angular| angular.travel.as_ref()).flat_map(|travel| &travel.slides);
+        let sliding = slides.map(|(id, _)| mechanism.slider(*id)).flat_map(|slider| [slider.on, slider.link]);
+        let related = joint.related_bodies().chain(sliding).filter_map(index).collect();
+        Edge { ends: joint.bodies.map(index), constraints: joint.constraints(), related }
+    };
+    let mut edges: Vec<Edge> = mechanism.joints.iter().map(edge).collect();
+    let shared: Vec<&Pin> = pins.iter().filter(|pin| pin.hub.is_none()).collect();
+    for (number, pin) in shared.iter().enumerate() {
+        for &body in &pin.bodies {
+            edges.push(Edge::pin([index(body), Some(members.len() + number)]));
+        }
+    }
     let (mut surplus, mut over) = mechanism.surplus();
     let (mut missing, mut under) = (0, Vec::new());
     let links = |found: Vec<usize>| found.into_iter().flat_map(|i| mechanism.compound(members[i]));
-    let components = match structure(members.len(), &edges) {
+    let components = match structure(members.len(), shared.len(), &edges) {
         Structure::Groups(components) => components,
         Structure::Misfit { under: movable, missing: free, over: fixed, surplus: more } => {
             under.extend(links(movable));
@@ -132,10 +145,44 @@ fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureE
     if members.is_empty() {
         return Err(scene.error_at(&["links"], says::nothing_to_solve(), Some(says::add_links())).into());
     }
-    let mut found = Vec::new();
-    for component in components {
+    let mut rank = vec![None; mechanism.bodies.len()];
+    for (number, component) in components.iter().enumerate() {
+        component.links.iter().for_each(|&link| rank[members[link].0] = Some(number));
+    }
+    mechanism.joints.truncate(given);
+    let mut met = Vec::new();
+    for pin in pins {
+        let from = mechanism.joints.len();
+        let rank = |&body: &BodyId| rank[mechanism.lead(body).0];
+        let first = pin.bodies.iter().map(rank).min().flatten();
+        let here: Vec<BodyId> = pin.bodies.iter().copied().filter(|body| rank(body) == first).collect();
+        let hub = pin.hub.or_else(|| mechanism.fixed_in(pin.point).filter(|body| here.contains(body)));
+        let pin = Pin { hub: hub.or(here.first().copied()), ..pin };
+        mechanism.joints.extend(pin.joints());
+        met.extend(first.filter(|_| hub.is_none() && here.len() > 2).map(|first| (first, from, pin, here)));
+    }
+    let rank = |body: BodyId| rank[mechanism.lead(body).0];
+    let mut joints = vec![Vec::new(); components.len()];
+    for (id, joint) in mechanism.joint_ids().zip(&mechanism.joints) {
+        let [a, b] = joint.bodies;
+        if let Some(own) = rank(a).max(rank(b)).filter(|_| mechanism.lead(a) != mechanism.lead(b)) {
+            joints[own].push(id);
+        }
+    }
+    // Where three or more links of one group meet first, the pin is at the one with which the group has the lowest class.
+    for (first, from, pin, here) in met {
+        let links: Vec<BodyId> = components[first].links.iter().map(|&link| members[link]).collect();
+        let mut class = |hub: BodyId| {
+            let joints_of_pin = Pin { hub: Some(hub), ..pin.clone() }.joints().collect::<Vec<Joint>>();
+            mechanism.joints.splice(from..from + joints_of_pin.len(), joints_of_pin);
+            group(mechanism, &links, &joints[first]).class
+        };
+        if let Some(&hub) = here.iter().min_by_key(|&&hub| class(hub)) {
+            class(hub);
+        }
+    }
+    for (component, joints) in components.iter().zip(joints).filter(|(component, _)| !component.links.is_empty()) {
         let links: Vec<BodyId> = component.links.iter().map(|&i| members[i]).collect();
-        let joints: Vec<JointId> = component.joints.iter().map(|&j| JointId(j)).collect();
         let group = group(mechanism, &links, &joints);
         if group.is_singular_by_structure(mechanism) || !LoopEquations::new(mechanism, &group).is_square() {
             return Err(StructureError::Singular {
@@ -148,9 +195,35 @@ fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureE
             let message = says::train_without_ratio(group.link_names(mechanism));
             return Err(scene.error_at(&["gears"], message, Some(says::other_teeth())).into());
         }
-        found.push(group);
+        mechanism.groups.push(group);
     }
-    Ok(found)
+    Ok(())
+}
+
+/// The bodies that share a point.
+#[derive(Clone, Debug)]
+struct Pin {
+    point: PointId,
+    bodies: Vec<BodyId>,
+    /// The one at which its joints are; `None` where three or more links of unknown motion, and no others, share it.
+    hub: Option<BodyId>,
+}
+
+impl Pin {
+    fn joints(&self) -> impl Iterator<Item = Joint> {
+        let joint = |hub| self.bodies.iter().filter(move |&&body| body != hub).map(move |&body| (hub, body));
+        self.hub.into_iter().flat_map(joint).map(|(hub, body)| Joint::pin(self.point, [hub, body]))
+    }
+}
+
+/// The points that bodies share: each at the first of known motion.
+fn pins(mechanism: &Mechanism) -> Vec<Pin> {
+    let shared = mechanism.point_ids().zip(mechanism.holders()).filter(|(_, bodies)| bodies.len() > 1);
+    let pin = |(point, bodies): (PointId, Vec<BodyId>)| {
+        let known = bodies.iter().copied().find(|&body| mechanism.is_known(body));
+        Pin { point, hub: known.or_else(|| bodies.first().copied().filter(|_| bodies.len() == 2)), bodies }
+    };
+    shared.map(pin).collect()
 }
 
 /// Whether the equations of a group without a loop, which are whole numbers and the same in every position, tell all angles.
@@ -181,8 +254,7 @@ fn placing(scene: &Scene, mut mechanism: Mechanism, link: &str, angle: f64) -> R
     mechanism.join_driven();
     let held = mechanism.link(link).expect("it is a link of the scene");
     add_carriage(&mut mechanism, held, angle);
-    add_pins(&mut mechanism);
-    mechanism.groups = groups(scene, &mechanism).map_err(|_| {
+    add_groups(scene, &mut mechanism).map_err(|_| {
         let path = ["links", link, "angle"];
         StructureError::from(scene.error_at(&path, says::angle_of_another(link), Some(says::angle_in_drive())))
     })?;
@@ -226,13 +298,38 @@ fn shaped<'s, F: FnOnce() -> IndexMap<&'s str, Point>>(
         let given = of(&scene.coordinates, point).or_else(|| driven.get(point).copied());
         given.or_else(|| of(&scene.near.points, point))
     };
-    local_points(link, place)
+    let (local, side) = local_points(link, place);
+    (points_in_order(link).into_iter().map(|index| local[index]).collect(), side)
+}
+
+/// Names in their order, whatever that of the file is: so nothing that is found depends on the file's.
+fn in_order<'s>(names: impl IntoIterator<Item = &'s String>) -> impl Iterator<Item = &'s String> {
+    let mut names: Vec<&String> = names.into_iter().collect();
+    names.sort_by(|one, other| by_name(one, other));
+    names.into_iter()
+}
+
+/// The links in the order of their names.
+fn links_in_order(scene: &Scene) -> Vec<(&String, &Link)> {
+    let mut links: Vec<(&String, &Link)> = scene.links.iter().collect();
+    links.sort_by(|(one, _), (other, _)| by_name(one, other));
+    links
+}
+
+/// The indices of a link's points: the two of its axis, then the others in the order of their names.
+fn points_in_order(link: &Link) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..link.points.len()).collect();
+    if let Some(others) = order.get_mut(2..) {
+        others.sort_by(|&one, &other| by_name(&link.points[one], &link.points[other]));
+    }
+    order
 }
 
 /// A mechanism of the scene's points and bodies, without joints.
 fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError> {
-    let of_links = scene.links.values().flat_map(|link| &link.points);
-    let names: IndexSet<&String> = scene.ground.iter().chain(of_links).chain(scene.known.keys()).collect();
+    let links = links_in_order(scene);
+    let of_links = links.iter().flat_map(|(_, link)| points_in_order(link).into_iter().map(|index| &link.points[index]));
+    let names: IndexSet<&String> = in_order(&scene.ground).chain(of_links).chain(in_order(scene.known.keys())).collect();
     let given = |name: &str| scene.coordinates.get(name).map(|&place| Point::from(place));
     let mut mechanism = Mechanism {
         time: scene.units.time,
@@ -245,17 +342,17 @@ fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError>
         }),
         ..Mechanism::default()
     };
-    let body = |name: &str, points: &[String], role: Role, local: Vec<Point>| Body {
+    let body = |name: &str, points: &mut dyn Iterator<Item = &String>, role: Role, local: Vec<Point>| Body {
         name: name.to_owned(),
-        points: points.iter().filter_map(|point| names.get_index_of(point)).map(PointId).collect(),
+        points: points.filter_map(|point| names.get_index_of(point)).map(PointId).collect(),
         local,
         role,
         block: false,
     };
     let ground_places = scene.ground.iter().filter_map(|name| given(name)).collect();
-    mechanism.bodies.push(body("ground", &scene.ground, Role::Ground, ground_places));
+    mechanism.bodies.push(body("ground", &mut scene.ground.iter(), Role::Ground, ground_places));
     let driven = LazyCell::new(|| places_from_drives(scene));
-    for (name, link) in &scene.links {
+    for (name, link) in links {
         let role = role(scene, &mechanism, name, link)?;
         let mut local = Vec::new();
         if scene.given_by == GivenBy::Lengths {
@@ -271,11 +368,13 @@ fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError>
                 mechanism.warnings.push(says::mirror_image(name, link.points.join("-")));
             }
         }
-        mechanism.bodies.push(body(name, &link.points, role, local));
+        let mut points = points_in_order(link).into_iter().map(|index| &link.points[index]);
+        mechanism.bodies.push(body(name, &mut points, role, local));
     }
-    for (name, motion) in &scene.known {
+    for name in in_order(scene.known.keys()) {
+        let motion = &scene.known[name];
         let role = Role::Carrier { velocity: motion.velocity.into(), acceleration: motion.acceleration.into() };
-        mechanism.bodies.push(body(name, std::slice::from_ref(name), role, Vec::new()));
+        mechanism.bodies.push(body(name, &mut std::iter::once(name), role, Vec::new()));
     }
     Ok(mechanism)
 }

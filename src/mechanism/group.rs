@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 /// The class of an Assur group: class II has two links; class III four, a central link on three legs; class IV four in
 /// a closed contour, two of them on known bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
     /// Two links: a dyad.
     Second,

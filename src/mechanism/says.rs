@@ -12,6 +12,10 @@ messages! { "mechanism":
     friction_no_joint(point);
     friction_of_contact(joint);
     no_friction_of_contact;
+    pin_of_several(point, links);
+    write_fixed_in(link);
+    pin_of_two(point);
+    leave_fixed_in_out;
     angle_of_another(link);
     angle_in_drive;
     mirror_image(link, points);

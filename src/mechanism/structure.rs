@@ -13,6 +13,12 @@
 //! body needs: the (3, 3) pebble game of A. Lee and I. Streinu, "Pebble game algorithms and sparse graphs", Discrete
 //! Mathematics 308, 2008. All bodies of known motion count as one body.
 //!
+//! A pin through three or more links is a body of its own, a point with two degrees of freedom, which each of these links
+//! joins by two constraints: `n` bodies and `p` such points share at most `3 n + 2 p - 3`. To replace it by joints of two
+//! links each would say beforehand which link is solved first, and so join groups that do not belong together: a link
+//! whose partner at the pin is found later seems to need that partner. With the pin as a point the groups are the finest
+//! ones, and it is their order that says which links meet at the pin first.
+//!
 //! The count holds for general dimensions. Special ones (parallel slides, equal and parallel cranks) show only in the
 //! solving, and mechanisms that move only because of them count as over-constrained: a wedge between three slides, a
 //! double parallelogram.
@@ -26,20 +32,34 @@ use petgraph::graph::{DiGraph, NodeIndex};
 /// Degrees of freedom of a link in the plane.
 const MOTIONS: usize = 3;
 
+/// Degrees of freedom of a point in the plane.
+const MOTIONS_OF_PIN: usize = 2;
+
 /// A joint between two bodies, by its number of constraints.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Edge {
     /// The number of constraints it supplies.
     pub constraints: usize,
-    /// The two bodies joined: the index of a link of unknown motion, or `None` for a body of known motion.
+    /// The two bodies joined: the index of a link of unknown motion or of a pin, or `None` for a body of known motion.
     pub ends: [Option<usize>; 2],
+    /// Other links of unknown motion without which its constraints say nothing, as the carrier of two wheels that mesh.
+    pub related: Vec<usize>,
+}
+
+impl Edge {
+    /// A pin.
+    #[must_use]
+    pub fn pin(ends: [Option<usize>; 2]) -> Edge {
+        Edge { constraints: 2, ends, related: Vec::new() }
+    }
 }
 
 /// The groups that the links form, or why they form none.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Structure {
     /// Assur groups, each after all groups on which it hangs; of groups that can be solved at the same time, the one
-    /// with the smallest link index first. Every link is in exactly one group.
+    /// with the smallest link index first. Every link and every pin is in exactly one of them; a pin that belongs to a link
+    /// of a group before is alone.
     Groups(Vec<Component>),
     /// Some links have too few or too many constraints. Lists are in ascending order.
     Misfit {
@@ -55,35 +75,35 @@ pub enum Structure {
     },
 }
 
-/// An Assur group: links that can be solved only together, given the groups before it. It has three constraints for
-/// each link.
+/// An Assur group: links and pins that can be solved only together, given the groups before it. It has three constraints
+/// for each link and two for each pin.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Component {
     /// Indices of links, ascending.
     pub links: Vec<usize>,
-    /// Indices of the joints among these links, and between them and known bodies or earlier groups, ascending.
+    /// Indices of pins, ascending.
+    pub pins: Vec<usize>,
+    /// Indices of the joints among these, and between them and known bodies or earlier groups, ascending.
     pub joints: Vec<usize>,
 }
 
 /// The Assur groups of `links` links of unknown motion in an order in which they can be solved, or why they form none.
+/// The bodies after the links are `pins` pins, each of three or more links, which join the pin by two constraints each.
 ///
 /// The order of `edges` and of the ends of an edge does not change the groups. An edge between two known bodies or from
 /// a link to itself belongs to no group. The time grows at most with links times joints.
 ///
-/// A pin through three or more bodies should be written as joints that all have one end at a body known early: the
-/// structure does not see that joints share a pin, and may otherwise find one large group in place of two small ones.
-///
 /// # Panics
-/// If an edge names a link that is not below `links`.
-pub fn structure(links: usize, edges: &[Edge]) -> Structure {
-    let known = links;
-    let mut assignment = Assignment::new(links);
+/// If an edge names a body that is not below `links + pins`.
+pub fn structure(links: usize, pins: usize, edges: &[Edge]) -> Structure {
+    let known = links + pins;
+    let mut assignment = Assignment::new(links, pins);
     let mut over = BTreeSet::new();
     let mut surplus = 0;
     for (joint, edge) in edges.iter().enumerate() {
         assert!(
-            edge.ends.iter().flatten().all(|&link| link < links),
-            "joint {joint} names a link not below {links}: {edge:?}"
+            edge.ends.iter().flatten().all(|&body| body < known),
+            "joint {joint} names a body not below {known}: {edge:?}"
         );
         let ends = edge.ends.map(|end| end.unwrap_or(known));
         if ends[0] == ends[1] {
@@ -97,13 +117,13 @@ pub fn structure(links: usize, edges: &[Edge]) -> Structure {
         }
     }
     assignment.clear(known);
-    over.remove(&known);
 
-    let missing: usize = assignment.room[..links].iter().sum();
+    let missing: usize = assignment.room[..known].iter().sum();
     if missing == 0 && surplus == 0 {
-        return Structure::Groups(groups(links, &assignment.taken, edges));
+        return Structure::Groups(groups(links, pins, &assignment.taken, edges));
     }
-    Structure::Misfit { under: assignment.movable(links), missing, over: over.into_iter().collect(), surplus }
+    let of_links = |bodies: BTreeSet<usize>| bodies.into_iter().filter(|&body| body < links).collect();
+    Structure::Misfit { under: of_links(assignment.movable()), missing, over: of_links(over), surplus }
 }
 
 /// A constraint of `joint`, assigned to the body `to`, which therefore depends on the body `from`.
@@ -113,7 +133,7 @@ struct Constraint {
     from: usize,
 }
 
-/// Constraints assigned to bodies, three to each at most. The last body stands for all known bodies.
+/// Constraints assigned to bodies, three to each link and two to each pin at most. The last body stands for all known bodies.
 struct Assignment {
     taken: Vec<Constraint>,
     /// For each body, the constraints assigned to it, as indices into `taken`.
@@ -123,8 +143,11 @@ struct Assignment {
 }
 
 impl Assignment {
-    fn new(links: usize) -> Self {
-        Self { taken: Vec::new(), assigned: vec![Vec::new(); links + 1], room: vec![MOTIONS; links + 1] }
+    fn new(links: usize, pins: usize) -> Self {
+        let mut room = vec![MOTIONS; links];
+        room.resize(links + pins, MOTIONS_OF_PIN);
+        room.push(MOTIONS);
+        Self { taken: Vec::new(), assigned: vec![Vec::new(); room.len()], room }
     }
 
     /// Takes a constraint between `ends` and returns true, if it is independent of those taken before. If it is not,
@@ -137,7 +160,7 @@ impl Assignment {
                 return false;
             }
         }
-        // More than three are free at both ends and at most three at either, so each end has one.
+        // More than three are free at both ends, at most three at either, and two bodies with two do not meet: each end has one.
         self.room[first] -= 1;
         self.assigned[first].push(self.taken.len());
         self.taken.push(Constraint { joint, to: first, from: second });
@@ -193,15 +216,16 @@ impl Assignment {
         closure(starts, |here| self.assigned[here].iter().map(|&constraint| self.taken[constraint].from))
     }
 
-    /// The links with room and all that depend on them: the alternating paths of Dulmage & Mendelsohn. Requires that no
+    /// The bodies with room and all that depend on them: the alternating paths of Dulmage & Mendelsohn. Requires that no
     /// constraint is assigned to the known body.
-    fn movable(&self, links: usize) -> Vec<usize> {
-        let mut dependents = vec![Vec::new(); links + 1];
+    fn movable(&self) -> BTreeSet<usize> {
+        let mut dependents = vec![Vec::new(); self.room.len()];
         for constraint in &self.taken {
             dependents[constraint.from].push(constraint.to);
         }
-        let free: Vec<usize> = (0..links).filter(|&link| self.room[link] > 0).collect();
-        closure(&free, |here| dependents[here].iter().copied()).into_iter().collect()
+        let known = self.room.len() - 1;
+        let free: Vec<usize> = (0..known).filter(|&body| self.room[body] > 0).collect();
+        closure(&free, |here| dependents[here].iter().copied())
     }
 }
 
@@ -215,15 +239,21 @@ fn closure<N: Iterator<Item = usize>>(starts: &[usize], next: impl Fn(usize) -> 
     reached
 }
 
-/// The strongly connected components of the dependence between links, in solving order. Every link has three
-/// constraints.
-fn groups(links: usize, taken: &[Constraint], edges: &[Edge]) -> Vec<Component> {
-    let known = links;
-    let between_links = || taken.iter().filter(|constraint| constraint.from != known);
+/// The strongly connected components of the dependence between bodies, in solving order. Every link has three
+/// constraints and every pin two.
+fn groups(links: usize, pins: usize, taken: &[Constraint], edges: &[Edge]) -> Vec<Component> {
+    let known = links + pins;
+    let between_bodies = || {
+        let needed = |constraint: &Constraint| {
+            let (to, related) = (constraint.to, &edges[constraint.joint].related);
+            related.iter().copied().chain([constraint.from]).map(move |from| (to, from)).collect::<Vec<_>>()
+        };
+        taken.iter().flat_map(needed).filter(|(to, from)| *from != known && to != from)
+    };
 
     let mut dependence =
-        DiGraph::<(), ()>::from_edges(between_links().map(|constraint| (constraint.to as u32, constraint.from as u32)));
-    while dependence.node_count() < links {
+        DiGraph::<(), ()>::from_edges(between_bodies().map(|(to, from)| (to as u32, from as u32)));
+    while dependence.node_count() < known {
         dependence.add_node(());
     }
 
@@ -231,38 +261,40 @@ fn groups(links: usize, taken: &[Constraint], edges: &[Edge]) -> Vec<Component> 
     let mut components: Vec<Component> = kosaraju_scc(&dependence)
         .into_iter()
         .map(|nodes| {
-            let mut links: Vec<usize> = nodes.into_iter().map(NodeIndex::index).collect();
-            links.sort_unstable();
-            Component { links, joints: Vec::new() }
+            let mut bodies: Vec<usize> = nodes.into_iter().map(NodeIndex::index).collect();
+            bodies.sort_unstable();
+            let pins = bodies.split_off(bodies.partition_point(|&body| body < links));
+            let pins = pins.into_iter().map(|pin| pin - links).collect();
+            Component { links: bodies, pins, joints: Vec::new() }
         })
         .collect();
-    // By smallest link, so that a group's index is its rank among the groups that can be solved at the same time.
-    components.sort_unstable_by_key(|component| component.links[0]);
+    // By smallest link, so that a group's index is its rank among the groups that can be solved at the same time. Pins
+    // that are alone come first: they are known as soon as their link is, and no group waits for them.
+    components.sort_unstable_by_key(|component| (component.links.first().copied(), component.pins.first().copied()));
 
-    let mut group_of = vec![0; links];
+    let mut group_of = vec![0; known];
     for (group, component) in components.iter().enumerate() {
-        for &link in &component.links {
-            group_of[link] = group;
-        }
+        let pins = component.pins.iter().map(|pin| links + pin);
+        component.links.iter().copied().chain(pins).for_each(|body| group_of[body] = group);
     }
     for constraint in taken {
         components[group_of[constraint.to]].joints.push(constraint.joint);
     }
     for component in &mut components {
-        // A joint with constraints assigned to both its links makes them depend on each other, so they are in one
+        // A joint with constraints assigned to both its bodies makes them depend on each other, so they are in one
         // group.
         component.joints.sort_unstable();
         component.joints.dedup();
         debug_assert_eq!(
             component.joints.iter().map(|&joint| edges[joint].constraints).sum::<usize>(),
-            MOTIONS * component.links.len()
+            MOTIONS * component.links.len() + MOTIONS_OF_PIN * component.pins.len()
         );
     }
 
     let mut dependents = vec![Vec::new(); components.len()];
     let mut waits_for = vec![0_usize; components.len()];
-    for constraint in between_links() {
-        let (group, before) = (group_of[constraint.to], group_of[constraint.from]);
+    for (to, from) in between_bodies() {
+        let (group, before) = (group_of[to], group_of[from]);
         if group != before {
             dependents[before].push(group);
             waits_for[group] += 1;

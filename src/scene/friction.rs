@@ -1,6 +1,8 @@
 //! Friction in joints: a coefficient or an angle of a guide, and with the radius of its journal of a pin.
 
 use super::error::{Wrong, number};
+use super::joint::On;
+use super::name::no_point;
 use super::names::Names;
 use super::says;
 use super::write::write_keys;
@@ -30,9 +32,11 @@ pub(super) struct FrictionFile {
     angle: Option<f64>,
     /// The radius of the pin's journal, in the scene's unit of length; of a pin alone.
     radius: Option<f64>,
+    /// The link in which the pin is fixed, or "ground"; of a pin through three or more links, which all turn on it, alone.
+    fixed_in: Option<String>,
 }
 
-write_keys!(FrictionFile { pin, guide, coefficient, angle, radius });
+write_keys!(FrictionFile { pin, guide, coefficient, angle, radius, fixed_in });
 
 /// Coulomb friction in a joint.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,6 +56,8 @@ pub enum RubbingJoint {
         point: String,
         /// The radius of the journal, in the scene's unit of length.
         radius: f64,
+        /// What the pin is fixed in, where three or more links share it; the others turn on it.
+        fixed_in: Option<On>,
     },
     /// The guide of the slider of this name.
     Guide(String),
@@ -69,7 +75,7 @@ pub enum Grip {
 impl FrictionFile {
     /// The checked friction; `taken` holds the joints that have some. Whether there is a slider of that name the mechanism tells.
     pub fn read(self, names: &Names<'_>, taken: &mut IndexSet<String>) -> Result<Friction, Wrong> {
-        let FrictionFile { pin, guide, coefficient, angle, radius } = self;
+        let FrictionFile { pin, guide, coefficient, angle, radius, fixed_in } = self;
         let (key, name) = match (&pin, &guide) {
             (Some(pin), None) => ("pin", pin.clone()),
             (None, Some(guide)) => ("guide", guide.clone()),
@@ -79,13 +85,17 @@ impl FrictionFile {
         let joint = match (pin, guide, radius) {
             (Some(point), _, Some(radius)) => {
                 names.point(&["pin"], &point)?;
-                RubbingJoint::Pin { point, radius: at_least_zero("radius", radius)? }
+                let fixed_in = fixed_in.map(|link| holder(names, link, &point)).transpose()?;
+                RubbingJoint::Pin { point, radius: at_least_zero("radius", radius)?, fixed_in }
             }
             (Some(point), _, None) => {
                 return Err(Wrong::value(&[], says::friction_without_radius(shown(&point))).hint(says::add_radius()));
             }
             (None, _, Some(_)) => {
                 return Err(Wrong::key(&["radius"], says::guide_has_no_radius()).hint(says::leave_key_out()));
+            }
+            (None, ..) if fixed_in.is_some() => {
+                return Err(Wrong::key(&["fixed_in"], says::guide_has_no_pin()).hint(says::leave_key_out()));
             }
             (None, guide, None) => RubbingJoint::Guide(guide.unwrap_or_default()),
         };
@@ -107,6 +117,19 @@ impl FrictionFile {
         };
         Ok(Friction { joint, grip })
     }
+}
+
+/// The frame or the link of this name, which must have the pin.
+fn holder(names: &Names<'_>, link: String, pin: &str) -> Result<On, Wrong> {
+    if link == "ground" {
+        return match names.on_ground(pin) {
+            true => Ok(On::Ground),
+            false => Err(Wrong::value(&["fixed_in"], no_point(says::the_ground(), pin, names.ground))),
+        };
+    }
+    names.link(&["fixed_in"], &link)?;
+    names.point_of_link(&["fixed_in"], &link, pin)?;
+    Ok(On::Link(link))
 }
 
 /// A number that may be zero but not less.

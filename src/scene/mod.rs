@@ -76,7 +76,7 @@ pub(crate) use error::{close, list, nearest, nearest_within, range_of};
 pub(crate) use figure::figure_keys;
 pub(crate) use link::STRAIGHT;
 pub(crate) use load_names::{LoadNames, couple_name};
-pub(crate) use name::{Bearer, joined, pair, why_not};
+pub(crate) use name::{Bearer, by_name, joined, pair, why_not};
 pub(crate) use schema::{schema_of, version};
 pub(crate) use text::{FileKind, LARGEST, SceneTree};
 pub(crate) use typed::read_as;

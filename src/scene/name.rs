@@ -1,5 +1,6 @@
 //! Names: the characters they may have, and keys that join two of them.
 
+use std::cmp::Ordering;
 use std::collections::HashSet;
 
 use super::error::{Wrong, close, list, shortened};
@@ -122,6 +123,28 @@ pub(super) fn checked_pair(
         return Err(Wrong::key(&[], says::pair_same(shown(), from)));
     }
     Ok((from.to_owned(), to.to_owned()))
+}
+
+/// The order of names in which numbers in them count by their size: 2, 2a, 10, A, A2, A10.
+pub(crate) fn by_name(one: &str, other: &str) -> Ordering {
+    let (mut left, mut right) = (one, other);
+    while !left.is_empty() && !right.is_empty() {
+        let parts = [left, right].map(|text| {
+            let is_number = text.starts_with(|c: char| c.is_ascii_digit());
+            let end = text.find(|c: char| c.is_ascii_digit() != is_number).unwrap_or(text.len());
+            let (part, rest) = text.split_at(end);
+            // Of numbers without leading zeros the one with more digits is larger.
+            let digits = part.trim_start_matches('0');
+            let key = if is_number { (0, digits.len(), digits) } else { (1, 0, part) };
+            (key, rest)
+        });
+        let [(a, rest), (b, others)] = parts;
+        match a.cmp(&b) {
+            Ordering::Equal => (left, right) = (rest, others),
+            decided => return decided,
+        }
+    }
+    left.len().cmp(&right.len()).then_with(|| one.cmp(other))
 }
 
 /// The key of two points, as `AB`, or as `A1-B` where names are longer.

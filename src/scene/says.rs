@@ -372,6 +372,7 @@ messages! { "scene":
     friction_without_radius(point);
     add_radius;
     guide_has_no_radius;
+    guide_has_no_pin;
     friction_twice(joint);
     coefficient_and_angle;
     no_coefficient;

@@ -16,7 +16,8 @@ const UNLIKE: f64 = 0.03;
 
 /// Adds the gear pairs of a scene.
 pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
-    let pairs: Vec<Joint> = scene.gears.iter().filter_map(|gear| joint(mechanism, gear)).collect();
+    let mut pairs: Vec<Joint> = scene.gears.iter().filter_map(|gear| joint(mechanism, gear)).collect();
+    pairs.sort_by_key(|joint| (joint.bodies.iter().min().copied(), joint.bodies.iter().max().copied()));
     mechanism.joints.extend(pairs);
 }
 

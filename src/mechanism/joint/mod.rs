@@ -14,9 +14,9 @@ pub(super) use gear::unlike_wheels;
 pub(super) use slider::guide_line;
 pub use slider::{DrivenSlide, Guide, Slider};
 
-use super::{BodyId, GROUND, JointId, Mechanism, PointId, SliderId};
+use super::{Body, BodyId, GROUND, JointId, Mechanism, PointId, SliderId};
 use crate::geometry::{Number, Pair, Point, Turn, Vector, degrees_of, turn_of_degrees};
-use crate::scene::Scene;
+use crate::scene::{RubbingJoint, Scene};
 use smallvec::{SmallVec, smallvec};
 
 /// A joint between two bodies.
@@ -343,6 +343,40 @@ impl Mechanism {
         self.joint_ids().filter(move |id| pin.is_some() && self.joint(*id).pin == pin)
     }
 
+    /// The bodies that have a pin.
+    pub(crate) fn holders_of_pin(&self, point: &str) -> impl Iterator<Item = &Body> {
+        let pin = self.point(point);
+        self.bodies.iter().filter(move |body| pin.is_some_and(|pin| body.has(pin)))
+    }
+
+    /// The body in which the scene says that a pin is fixed, so that the others turn on it.
+    pub(crate) fn fixed_in(&self, pin: PointId) -> Option<BodyId> {
+        let (loads, _) = &**self.loads.as_ref()?;
+        let fixed = loads.friction.iter().find_map(|friction| match &friction.joint {
+            RubbingJoint::Pin { point, fixed_in, .. } if point == self.point_name(pin) => fixed_in.as_ref(),
+            _ => None,
+        });
+        self.body_named(fixed?)
+    }
+
+    /// The two bodies between which friction at a joint acts, which are those that it joins but at a pin that is fixed in another one: there
+    /// what the joint's second body carries rubs on that, and what the body carries at which the joints are rubs at its own joint.
+    pub(crate) fn rubbing_bodies(&self, id: JointId) -> [BodyId; 2] {
+        let joint = self.joint(id);
+        let [first, second] = joint.bodies;
+        match joint.pin.and_then(|pin| self.fixed_in(pin)) {
+            Some(fixed) if fixed == second => [second, first],
+            Some(fixed) => [fixed, second],
+            None => [first, second],
+        }
+    }
+
+    /// Whether a pin is fixed in another body than that at which its joints are: then none of its joints alone carries all that rubs.
+    pub(crate) fn is_fixed_elsewhere(&self, id: JointId) -> bool {
+        let joint = self.joint(id);
+        joint.pin.and_then(|pin| self.fixed_in(pin)).is_some_and(|fixed| fixed != joint.bodies[0])
+    }
+
     /// The place of a joint in the frame of one of its bodies: the pin; on the guide's body the place from which the
     /// slider's position counts; on the sliding link its point. The origin in a drawn configuration.
     pub(crate) fn joint_on(&self, id: JointId, body: BodyId) -> Point {
@@ -359,15 +393,4 @@ pub(super) fn add_given(scene: &Scene, mechanism: &mut Mechanism) {
     slider::add(scene, mechanism);
     gear::add(scene, mechanism);
     contact::refresh(scene, mechanism);
-}
-
-/// Adds the pins: for a point of n bodies n − 1 of them, all at the first body of known motion, or else at the first.
-pub(super) fn add_pins(mechanism: &mut Mechanism) {
-    for (point, mut bodies) in mechanism.point_ids().zip(mechanism.holders()) {
-        bodies.sort_by_key(|&b| !mechanism.is_known(b));
-        let Some((&first, others)) = bodies.split_first() else {
-            continue;
-        };
-        mechanism.joints.extend(others.iter().map(|&other| Joint::pin(point, [first, other])));
-    }
 }

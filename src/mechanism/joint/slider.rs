@@ -231,6 +231,7 @@ pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
         let mut contacts = scene.contacts.iter();
         contacts.any(|contact| matches!(contact.equivalent, Equivalent::Slider { index: own, .. } if own == index))
     };
+    let blocks = add_blocks(scene, mechanism);
     for (index, given) in scene.sliders.iter().enumerate() {
         let on = match &given.on {
             On::Ground => GROUND,
@@ -238,7 +239,7 @@ pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
         };
         let (link, at) = match (&given.link, &given.at, &given.pin) {
             (Some(link), Some(at), _) => mechanism.link(link).zip(mechanism.point(at)),
-            (_, _, pin) => pin.as_ref().and_then(|pin| add_block(mechanism, pin)),
+            _ => blocks[index],
         }
         .expect("checked by the scene");
         let counted_from = given.counted_from(None).and_then(|point| mechanism.point(point));
@@ -255,17 +256,35 @@ pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
             is_contact: is_contact(index),
         });
     }
+    let Mechanism { joints, sliders, .. } = mechanism;
+    let ends = |joint: &Joint| joint.slider.map(|SliderId(id)| (sliders[id].on, sliders[id].link, sliders[id].at));
+    joints.sort_by_key(ends);
+}
+
+/// Adds the blocks of pins in slots, in an order that is not the file's; by slider its block.
+fn add_blocks(scene: &Scene, mechanism: &mut Mechanism) -> Vec<Option<(BodyId, PointId)>> {
+    let pinned = |(index, slider): (usize, &scene::Slider)| {
+        let pin = mechanism.point(slider.pin.as_ref()?)?;
+        Some((pin, mechanism.body_named(&slider.on), index))
+    };
+    let mut pinned: Vec<(PointId, Option<BodyId>, usize)> = scene.sliders.iter().enumerate().filter_map(pinned).collect();
+    pinned.sort_unstable();
+    let mut blocks = vec![None; scene.sliders.len()];
+    for (pin, _, index) in pinned {
+        blocks[index] = Some((add_block(mechanism, pin), pin));
+    }
+    blocks
 }
 
 /// Adds the block of a pin in a slot: a body with that one point.
-fn add_block(mechanism: &mut Mechanism, pin: &str) -> Option<(BodyId, PointId)> {
-    let point = mechanism.point(pin)?;
+fn add_block(mechanism: &mut Mechanism, pin: PointId) -> BodyId {
     let local = match mechanism.given_by {
         GivenBy::Lengths => vec![Point::origin()],
         GivenBy::Drawing => Vec::new(),
     };
-    mechanism.bodies.push(Body { name: pin.to_owned(), points: vec![point], local, role: Role::Member, block: true });
-    Some((BodyId(mechanism.bodies.len() - 1), point))
+    let name = mechanism.point_name(pin).to_owned();
+    mechanism.bodies.push(Body { name, points: vec![pin], local, role: Role::Member, block: true });
+    BodyId(mechanism.bodies.len() - 1)
 }
 
 fn guide(mechanism: &Mechanism, slider: &scene::Slider, on: BodyId) -> Guide {

@@ -4,19 +4,19 @@ use kinegon::mechanism::structure::{Component, Edge, Structure, structure};
 use std::collections::BTreeSet;
 
 fn edges(ends: &[[Option<usize>; 2]]) -> Vec<Edge> {
-    ends.iter().map(|&ends| Edge { ends, constraints: 2 }).collect()
+    ends.iter().map(|&ends| Edge::pin(ends)).collect()
 }
 
 /// The joints of a closed chain with some of its bodies known; the others are numbered in their order.
 fn with_known(chain: &[[usize; 2]], bodies: usize, known: &[usize]) -> (usize, Vec<Edge>) {
     let unknown: Vec<usize> = (0..bodies).filter(|body| !known.contains(body)).collect();
     let link = |body: usize| unknown.iter().position(|&other| other == body);
-    let edges = chain.iter().map(|ends| Edge { ends: ends.map(link), constraints: 2 }).collect();
+    let edges = chain.iter().map(|ends| Edge::pin(ends.map(link))).collect();
     (unknown.len(), edges)
 }
 
 fn groups_of(links: usize, edges: &[Edge]) -> Vec<Component> {
-    match structure(links, edges) {
+    match structure(links, 0, edges) {
         Structure::Groups(groups) => groups,
         misfit @ Structure::Misfit { .. } => panic!("{misfit:?}"),
     }
@@ -38,14 +38,14 @@ const STEPHENSON: [[usize; 2]; 7] = [[0, 2], [2, 1], [0, 3], [3, 1], [0, 4], [4,
 #[test]
 fn four_bar_is_one_dyad() {
     let joints = edges(&[[None, None], [None, Some(0)], [Some(1), Some(0)], [None, Some(1)]]);
-    let dyad = Component { links: vec![0, 1], joints: vec![1, 2, 3] };
-    assert_eq!(structure(2, &joints), Structure::Groups(vec![dyad]));
+    let dyad = Component { links: vec![0, 1], pins: vec![], joints: vec![1, 2, 3] };
+    assert_eq!(structure(2, 0, &joints), Structure::Groups(vec![dyad]));
 }
 
 #[test]
 fn five_bar_with_two_drivers_is_one_dyad() {
     let (links, joints) = with_known(&[[0, 1], [1, 2], [2, 3], [3, 4], [4, 0]], 5, &[0, 1, 4]);
-    assert_eq!(groups_of(links, &joints), [Component { links: vec![0, 1], joints: vec![1, 2, 3] }]);
+    assert_eq!(groups_of(links, &joints), [Component { links: vec![0, 1], pins: vec![], joints: vec![1, 2, 3] }]);
 }
 
 #[test]
@@ -53,8 +53,8 @@ fn watt_is_two_dyads_in_order() {
     // Unknown: 1, 3, 4, 5 become 0, 1, 2, 3.
     let (links, joints) = with_known(&WATT, 6, &[0, 2]);
     let expected = [
-        Component { links: vec![0, 1], joints: vec![0, 2, 3] },
-        Component { links: vec![2, 3], joints: vec![4, 5, 6] },
+        Component { links: vec![0, 1], pins: vec![], joints: vec![0, 2, 3] },
+        Component { links: vec![2, 3], pins: vec![], joints: vec![4, 5, 6] },
     ];
     assert_eq!(groups_of(links, &joints), expected);
 }
@@ -76,11 +76,11 @@ fn stephenson_is_two_dyads_or_a_third_or_fourth_class_group() {
     assert_eq!(links_of(links, &joints), [[0, 1], [2, 3]]);
     // Ground 0, driver 4: the ternary link 1 with the legs 2, 3, 5.
     let (links, joints) = with_known(&STEPHENSON, 6, &[0, 4]);
-    let third = Component { links: vec![0, 1, 2, 3], joints: vec![0, 1, 2, 3, 5, 6] };
+    let third = Component { links: vec![0, 1, 2, 3], pins: vec![], joints: vec![0, 1, 2, 3, 5, 6] };
     assert_eq!(groups_of(links, &joints), [third]);
     // Ground 4, driver 5: the ring 0, 2, 1, 3.
     let (links, joints) = with_known(&STEPHENSON, 6, &[4, 5]);
-    let fourth = Component { links: vec![0, 1, 2, 3], joints: vec![0, 1, 2, 3, 4, 6] };
+    let fourth = Component { links: vec![0, 1, 2, 3], pins: vec![], joints: vec![0, 1, 2, 3, 4, 6] };
     assert_eq!(groups_of(links, &joints), [fourth]);
 }
 
@@ -114,8 +114,8 @@ fn independent_groups_come_by_smallest_link() {
 
 #[test]
 fn nothing_unknown_is_no_group() {
-    assert_eq!(structure(0, &[]), Structure::Groups(Vec::new()));
-    assert_eq!(structure(0, &edges(&[[None, None]])), Structure::Groups(Vec::new()));
+    assert_eq!(structure(0, 0, &[]), Structure::Groups(Vec::new()));
+    assert_eq!(structure(0, 0, &edges(&[[None, None]])), Structure::Groups(Vec::new()));
 }
 
 #[test]
@@ -130,39 +130,39 @@ fn missing_driver_leaves_all_that_moves() {
         [Some(3), Some(4)],
         [Some(4), None],
     ]);
-    assert_eq!(structure(5, &joints), misfit(&[0, 1, 2], 1, &[], 0));
+    assert_eq!(structure(5, 0, &joints), misfit(&[0, 1, 2], 1, &[], 0));
 }
 
 #[test]
 fn links_without_joints_have_three_free_motions() {
-    assert_eq!(structure(2, &[]), misfit(&[0, 1], 6, &[], 0));
-    assert_eq!(structure(1, &edges(&[[Some(0), Some(0)]])), misfit(&[0], 3, &[], 0));
+    assert_eq!(structure(2, 0, &[]), misfit(&[0, 1], 6, &[], 0));
+    assert_eq!(structure(1, 0, &edges(&[[Some(0), Some(0)]])), misfit(&[0], 3, &[], 0));
 }
 
 #[test]
 fn dyad_with_a_third_support_is_over_constrained() {
     let joints = edges(&[[None, Some(0)], [Some(0), Some(1)], [Some(1), None], [Some(1), None]]);
-    assert_eq!(structure(2, &joints), misfit(&[], 0, &[0, 1], 2));
+    assert_eq!(structure(2, 0, &joints), misfit(&[], 0, &[0, 1], 2));
 }
 
 #[test]
 fn surplus_and_missing_motion_stand_side_by_side() {
     // Link 0 twice on ground, links 1 and 2 a chain with a free end.
     let joints = edges(&[[None, Some(0)], [None, Some(0)], [None, Some(1)], [Some(1), Some(2)]]);
-    assert_eq!(structure(3, &joints), misfit(&[1, 2], 2, &[0], 1));
+    assert_eq!(structure(3, 0, &joints), misfit(&[1, 2], 2, &[0], 1));
 }
 
 #[test]
 fn links_joined_twice_are_found_though_the_numbers_agree() {
     // Three constraints can be assigned to each link, and yet the pair turns about its one pin on the ground.
     let joints = edges(&[[Some(0), Some(1)], [Some(1), Some(0)], [Some(0), None]]);
-    assert_eq!(structure(2, &joints), misfit(&[0, 1], 1, &[0, 1], 1));
+    assert_eq!(structure(2, 0, &joints), misfit(&[0, 1], 1, &[0, 1], 1));
 }
 
 #[test]
 fn wedge_moves_but_is_counted_over_constrained() {
     // Known weakness: the three slides allow no rotation of any link, which the count ignores.
-    assert_eq!(structure(1, &edges(&[[None, Some(0)], [Some(0), None]])), misfit(&[], 0, &[0], 1));
+    assert_eq!(structure(1, 0, &edges(&[[None, Some(0)], [Some(0), None]])), misfit(&[], 0, &[0], 1));
 }
 
 #[test]
@@ -178,7 +178,7 @@ fn shared_pin_written_at_a_later_body_joins_groups() {
 #[test]
 #[should_panic(expected = "joint 0 names a link not below 1")]
 fn link_out_of_range_is_refused() {
-    structure(1, &edges(&[[Some(1), None]]));
+    structure(1, 0, &edges(&[[Some(1), None]]));
 }
 
 #[test]
@@ -291,13 +291,13 @@ fn random_structures_agree_with_the_definition() {
             let second = (first + 1 + below(links + 1)) % (links + 2);
             [Some(first), Some(second).filter(|&link| link < links)]
         };
-        let mut joints: Vec<Edge> = (0..count).map(|_| Edge { ends: ends(), constraints: 2 }).collect();
+        let mut joints: Vec<Edge> = (0..count).map(|_| Edge::pin(ends())).collect();
         // In a third of them, two joints of one constraint replace one of two.
         if let Some(joint) = joints.first_mut().filter(|_| round % 3 == 0) {
             joint.constraints = 1;
-            joints.push(Edge { ends: ends(), constraints: 1 });
+            joints.push(Edge { constraints: 1, ..Edge::pin(ends()) });
         }
-        let found = structure(links, &joints);
+        let found = structure(links, 0, &joints);
         match &found {
             Structure::Groups(groups) => {
                 grouped += 1;
@@ -307,7 +307,7 @@ fn random_structures_agree_with_the_definition() {
                 for joint in &mut joints {
                     joint.ends.reverse();
                 }
-                assert_eq!(structure(links, &joints), found, "{joints:?}");
+                assert_eq!(structure(links, 0, &joints), found, "{joints:?}");
                 joints.reverse();
                 let order: Vec<Vec<usize>> = groups.iter().map(|group| group.links.clone()).collect();
                 assert_eq!(links_of(links, &joints), order, "{joints:?}");
@@ -316,7 +316,7 @@ fn random_structures_agree_with_the_definition() {
                 misfits += 1;
                 assert_eq!(found, misfit_by_definition(links, &joints), "{joints:?}");
                 joints.reverse();
-                assert_eq!(structure(links, &joints), found, "{joints:?}");
+                assert_eq!(structure(links, 0, &joints), found, "{joints:?}");
             }
         }
     }
