@@ -31,9 +31,8 @@ const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None
 /// How much coarser a scale may be on a sheet so that all sheets of a scene have the same.
 const SHARED: f64 = 1.2;
 
-/// How much coarser a scale may be for Willis' table, which somebody has asked for: any, and one of a series, whose next number is up to a
-/// third larger.
-const COST_OF_WILLIS: [f64; 2] = [1.6, 2.0];
+/// How much coarser a scale may be for Willis' table, which somebody has asked for.
+const COST_OF_WILLIS: f64 = 2.0;
 
 /// Scales that are tried for one that fits.
 const TRIED: usize = 120;
@@ -286,8 +285,10 @@ impl<'a> FigureSheets<'a> {
         let contents = Contents { willis: true, ..without.contents };
         let tried = [layout.mu(), context.figure().mu];
         let laid_out = tried.iter().map(|scales| composed(context, extents, contents).layout_at(scales));
-        let cost = COST_OF_WILLIS[usize::from(context.surface.series != Series::Any)];
-        let fits = |with: &Layout| with.aside().is_some() && with.shows_all() && with.costs_at_most(cost, &layout.mu());
+        let fits = |with: &Layout| {
+            let is_seen = with.shows_all() && with.is_roomy();
+            with.aside().is_some() && is_seen && with.costs_at_most(COST_OF_WILLIS, &layout.mu())
+        };
         match { laid_out }.find(fits) {
             Some(layout) => LaidOut { layout, contents, ..without },
             None => without,
@@ -305,7 +306,8 @@ impl<'a> FigureSheets<'a> {
                 Some((composed(context, extents, contents).layout_at(&scales), contents))
             })
         });
-        let found = { tried }.find(|(with, _)| with.shows_all() && with.is_nearly_at(&layout.mu()));
+        let is_seen = |with: &Layout| with.shows_all() && (!without.contents.willis || with.is_roomy());
+        let found = { tried }.find(|(with, _)| is_seen(with) && with.is_nearly_at(&layout.mu()));
         match found {
             Some((layout, contents)) => LaidOut { layout, contents, ..without },
             None => without,
