@@ -12,6 +12,7 @@ use super::says;
 use super::scale_bar::SCALE;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark};
+use super::table::Table;
 use super::values::{self, Listed, value_list};
 use super::view::{Series, next_scale};
 use super::willis;
@@ -104,12 +105,11 @@ impl<'a> FigureSheets<'a> {
             let table = Worksheet::new(context, &sheet.panels, TablePlace::Apart).filled(layout);
             sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
         }
-        let unplaced = willis::table(context).filter(|_| !context.figure().worksheet && !laid_out.contents.willis);
-        if let Some(table) = unplaced {
-            sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
-        }
         if !context.figure().worksheet && !context.values.is_empty() {
             let table = values::table(context, self.in_table(&sheets[0]));
+            sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
+        }
+        if let Some(table) = self.willis_without_room() {
             sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
         }
         if !context.figure().worksheet {
@@ -174,6 +174,17 @@ impl<'a> FigureSheets<'a> {
     #[must_use]
     pub fn values_without_room(&self, drawing: &Drawing) -> Vec<String> {
         self.in_table(drawing).map(|value| plain_text(&value.symbol)).collect()
+    }
+
+    /// Whether Willis' table has no room beside the figure's panels and is on a further sheet.
+    #[must_use]
+    pub fn is_willis_apart(&self) -> bool {
+        self.willis_without_room().is_some()
+    }
+
+    fn willis_without_room(&self) -> Option<Table> {
+        let LaidOut { context, contents, .. } = self.settled();
+        willis::table(context).filter(|_| !context.figure().worksheet && !contents.willis)
     }
 
     /// How many values have no room on the figure's drawing and are in no table, because nobody has asked for them.
