@@ -312,6 +312,9 @@ impl Draw {
             if !missing.is_empty() {
                 note(&format!("no room for the values of {missing}; they are in a table on the next sheet"));
             }
+            if figures.is_willis_apart() {
+                note("no room for Willis' table beside the panels; it is on a further sheet");
+            }
             let left_out = figures.values_left_out(sheet);
             if left_out > 0 {
                 note(&format!(

@@ -12,6 +12,7 @@ use super::says;
 use super::scale_bar::SCALE;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark};
+use super::table::Table;
 use super::values::{self, Listed, value_list};
 use super::view::{Series, next_scale};
 use super::willis;
@@ -31,9 +32,8 @@ const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None
 /// How much coarser a scale may be on a sheet so that all sheets of a scene have the same.
 const SHARED: f64 = 1.2;
 
-/// How much coarser a scale may be for Willis' table, which somebody has asked for: any, and one of a series, whose next number is up to a
-/// third larger.
-const COST_OF_WILLIS: [f64; 2] = [1.6, 2.0];
+/// How much coarser a scale may be for Willis' table, which somebody has asked for.
+const COST_OF_WILLIS: f64 = 2.0;
 
 /// Scales that are tried for one that fits.
 const TRIED: usize = 120;
@@ -105,12 +105,11 @@ impl<'a> FigureSheets<'a> {
             let table = Worksheet::new(context, &sheet.panels, TablePlace::Apart).filled(layout);
             sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
         }
-        let unplaced = willis::table(context).filter(|_| !context.figure().worksheet && !laid_out.contents.willis);
-        if let Some(table) = unplaced {
-            sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
-        }
         if !context.figure().worksheet && !context.values.is_empty() {
             let table = values::table(context, self.in_table(&sheets[0]));
+            sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
+        }
+        if let Some(table) = self.willis_without_room() {
             sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
         }
         if !context.figure().worksheet {
@@ -175,6 +174,17 @@ impl<'a> FigureSheets<'a> {
     #[must_use]
     pub fn values_without_room(&self, drawing: &Drawing) -> Vec<String> {
         self.in_table(drawing).map(|value| plain_text(&value.symbol)).collect()
+    }
+
+    /// Whether Willis' table has no room beside the figure's panels and is on a further sheet.
+    #[must_use]
+    pub fn is_willis_apart(&self) -> bool {
+        self.willis_without_room().is_some()
+    }
+
+    fn willis_without_room(&self) -> Option<Table> {
+        let LaidOut { context, contents, .. } = self.settled();
+        willis::table(context).filter(|_| !context.figure().worksheet && !contents.willis)
     }
 
     /// How many values have no room on the figure's drawing and are in no table, because nobody has asked for them.
@@ -286,8 +296,10 @@ impl<'a> FigureSheets<'a> {
         let contents = Contents { willis: true, ..without.contents };
         let tried = [layout.mu(), context.figure().mu];
         let laid_out = tried.iter().map(|scales| composed(context, extents, contents).layout_at(scales));
-        let cost = COST_OF_WILLIS[usize::from(context.surface.series != Series::Any)];
-        let fits = |with: &Layout| with.aside().is_some() && with.shows_all() && with.costs_at_most(cost, &layout.mu());
+        let fits = |with: &Layout| {
+            let is_seen = with.shows_all() && with.is_roomy();
+            with.aside().is_some() && is_seen && with.costs_at_most(COST_OF_WILLIS, &layout.mu())
+        };
         match { laid_out }.find(fits) {
             Some(layout) => LaidOut { layout, contents, ..without },
             None => without,
@@ -305,7 +317,8 @@ impl<'a> FigureSheets<'a> {
                 Some((composed(context, extents, contents).layout_at(&scales), contents))
             })
         });
-        let found = { tried }.find(|(with, _)| with.shows_all() && with.is_nearly_at(&layout.mu()));
+        let is_seen = |with: &Layout| with.shows_all() && (!without.contents.willis || with.is_roomy());
+        let found = { tried }.find(|(with, _)| is_seen(with) && with.is_nearly_at(&layout.mu()));
         match found {
             Some((layout, contents)) => LaidOut { layout, contents, ..without },
             None => without,

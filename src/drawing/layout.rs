@@ -24,6 +24,8 @@ pub(super) const ROW: f64 = 6.0;
 const ROUNDING: f64 = 1e-6;
 /// Smallest width and height of a panel's content area, in mm.
 pub(super) const LEAST: f64 = 20.0;
+/// Width and height of an area in which a content is well seen with its names, in mm.
+const ROOMY: f64 = 55.0;
 /// Loss where a companion stands above the panel in focus, or below it, on a sheet wider than high: more than any
 /// gain, so that it does only where it has no room beside.
 const STACKED: f64 = 1000.0;
@@ -255,6 +257,11 @@ impl Layout {
     /// Whether they are wide enough for their headings and for a content, too.
     pub(super) fn shows_all(&self) -> bool {
         self.worth[0] > 0.0 && self.holds_all()
+    }
+
+    /// Whether the contents of all panels have room for names, and are not dots.
+    pub(super) fn is_roomy(&self) -> bool {
+        self.panels.iter().all(|placed| placed.area.width().min(placed.area.height()) >= ROOMY)
     }
 
     /// Whether no scale is much coarser than the one that is chosen for its sheet.

@@ -317,17 +317,18 @@ pub(super) fn panels<'a>(
             short: Some(line(name)),
             ..Frame::new(line(&numbered(index, name)), Pen::Heading).with_scale(context)
         };
+        // The width of the first panel's heading: it must not depend on the panel's letter.
+        let own = frame(0).needs(context, sheet, extent);
         let needs = Needs {
             above: above(context, sheet),
-            below: if sheet == Sheet::Speeds { speeds::below(context) } else { 0.0 },
+            below: if sheet == Sheet::Speeds { speeds::below(context, own.white) } else { 0.0 },
             mu: context.surface.mu[sheet],
             weight: if context.figure().focus.is_some_and(|focus| focus != sheet) {
                 COMPANION
             } else {
                 Needs::weight_of(sheet)
             },
-            // The width of the first panel's heading: it must not depend on the panel's letter.
-            ..frame(0).needs(context, sheet, extent)
+            ..own
         };
         Panel {
             language: Some(context.words.language),

@@ -134,7 +134,7 @@ fn only_equal_speeds_are_told_as_equal() {
         rates.into_iter().for_each(|(link, rate)| wanted.entry(rate).or_default().push(format!("\u{3c9}{link}")));
         let found = told(&solution(&scene).figure());
         let parted = |(names, _): &(String, String)| {
-            let mut parts: Vec<String> = names.split(" = ").map(str::to_owned).collect();
+            let mut parts: Vec<String> = names.split('=').map(|name| name.trim().to_owned()).collect();
             parts.sort();
             parts
         };

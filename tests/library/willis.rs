@@ -102,7 +102,7 @@ fn the_table_has_a_place_of_its_own() {
     let (mut beside, mut apart) = (0, 0);
     for (name, scene) in trains() {
         for (style, page) in [(StyleName::Paper, "a4"), (StyleName::Lecture, "16x9"), (StyleName::Lecture, "a4")] {
-            for values in [None, Some(ValuesShown::All)] {
+            for values in [None, Some(ValuesShown::Shown(None))] {
                 for panels in [vec![Sheet::Scheme, Sheet::Speeds], Sheet::USUAL.to_vec()] {
                     let case = format!("{name}, {style:?} on {page}, values {values:?}, panels {panels:?}");
                     let solved = |willis: bool| -> Solution {

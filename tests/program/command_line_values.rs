@@ -42,6 +42,23 @@ fn values_without_room_are_named() {
     assert!(!stderr(&run(&["draw", "tests/lecture/valve.json", "-o", "-"])).contains("no room for the values"));
 }
 
+/// On a slide two panels leave no room for Willis' table: it has a sheet of its own, and that is said; on paper it stands with them.
+#[test]
+fn willis_table_is_on_the_figure_or_on_a_further_sheet() {
+    let folder = scratch("values-willis");
+    let [svg, next] = ["train.svg", "train-2.svg"].map(|name| folder.join(name));
+    let draw = |more: &[&str]| {
+        let path = svg.to_str().expect("UTF-8");
+        let output = run(&[&["draw", "tests/trains/ravigneaux.json", "--willis", "-o", path][..], more].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        let has_table =
+            |path: &std::path::Path| std::fs::read_to_string(path).is_ok_and(|svg| svg.contains("willis-4-1-together"));
+        (stderr(&output).contains("no room for Willis' table"), has_table(&svg), has_table(&next))
+    };
+    assert_eq!(draw(&[]), (false, true, false));
+    assert_eq!(draw(&["--style", "lecture", "--page", "16x9"]), (true, false, true));
+}
+
 /// What a scene wants stands beside everything else, and takes nothing away: not the accelerations, where it wants an angle, a velocity or nothing.
 #[test]
 fn what_is_wanted_takes_nothing_away() {

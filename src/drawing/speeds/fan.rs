@@ -23,8 +23,8 @@ const DROP: f64 = 2.4;
 const LINE: f64 = 4.9;
 /// Height of a name above its baseline, in mm.
 const HEIGHT: f64 = 2.6;
-/// What marks and names take below the base that the white of a panel does not give, in mm.
-pub(super) const BELOW: f64 = 7.5;
+/// What marks, names and numbers take below the base, in mm.
+pub(super) const BELOW: f64 = TICK + DROP + HEIGHT + LINE + 1.3;
 /// A name less than that beside its mark needs no line to it, in mm.
 const BELOW_MARK: f64 = 0.8;
 

@@ -9,7 +9,7 @@ pub(super) use scales::SpeedScales;
 use super::canvas::Canvas;
 use super::context::SheetContext;
 use super::labels::LabelRequest;
-use super::layout::ROW;
+use super::layout::{LEAST, ROW};
 use super::scale_bar::{ScaleBars, Scaled};
 use super::scheme::{hatch_line, hatch_rim, tangents};
 use super::shape::Shape;
@@ -46,11 +46,12 @@ pub(super) fn extent(context: &SheetContext<'_>) -> Option<Extent> {
     Some(Extent::of(circles.chain(tips).chain(cuts).chain(own)))
 }
 
-/// White below the content for the names on the base, in mm.
-pub(super) fn below(context: &SheetContext<'_>) -> f64 {
+/// Room below the content for the names on the base, in mm, besides this white around it and what wheels that reach below the base leave beside
+/// them.
+pub(super) fn below(context: &SheetContext<'_>, white: f64) -> f64 {
     let diagram = context.construction().speeds.as_ref();
     let layout = diagram.and_then(|diagram| Layout::of(diagram, context.surface.speeds));
-    if layout.is_some_and(|layout| !layout.is_deep()) { fan::BELOW } else { 0.0 }
+    layout.map_or(0.0, |layout| (fan::BELOW - white - LEAST * layout.below_base()).max(0.0))
 }
 
 /// The scales that a diagram keeps in some positions of its mechanism.

@@ -105,9 +105,9 @@ impl<'a> Layout<'a> {
         Point::new(self.zero + self.diagram.rate(line) * self.scales.rate, self.base)
     }
 
-    /// Whether wheels reach so far below the base that names below it have room beside them.
-    pub(super) fn is_deep(&self) -> bool {
+    /// What part of the content lies below the base.
+    pub(super) fn below_base(&self) -> f64 {
         let [low, high] = heights(self.diagram);
-        low < self.base - 0.15 * (high - self.base)
+        (self.base - low).max(0.0) / (high - low.min(self.base))
     }
 }
