@@ -1806,6 +1806,7 @@ page-layout-speed = Tempo
 page-layout-link = Glied {$name}
 page-layout-slider = Schieber {$name}
 page-layout-drive_at = {$name} steht bei
+page-layout-drive_unread = „{$typed}“ ist hier keine Zahl. Tippen Sie eine, gern mit Einheit: 60°, 0,5 rad, 12 cm.
 page-layout-steps = Schritte
 page-layout-steps_long = Schritte der Konstruktion
 page-layout-first = Erster Schritt (Pos1)

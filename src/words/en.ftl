@@ -1838,6 +1838,7 @@ page-layout-speed = Speed
 page-layout-link = Link {$name}
 page-layout-slider = Slider {$name}
 page-layout-drive_at = {$name} stands at
+page-layout-drive_unread = “{$typed}” is not a number here. Type one, with a unit if you like: 60°, 0.5 rad, 12 cm.
 page-layout-steps = Steps
 page-layout-steps_long = Steps of the construction
 page-layout-first = First step (Home)

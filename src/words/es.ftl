@@ -1804,6 +1804,7 @@ page-layout-speed = Rapidez
 page-layout-link = Eslabón {$name}
 page-layout-slider = Corredera {$name}
 page-layout-drive_at = {$name} está en
+page-layout-drive_unread = «{$typed}» no es un número aquí. Escriba uno, si quiere con unidad: 60°, 0,5 rad, 12 cm.
 page-layout-steps = Pasos
 page-layout-steps_long = Pasos de la construcción
 page-layout-first = Primer paso (Inicio)

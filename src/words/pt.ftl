@@ -1806,6 +1806,7 @@ page-layout-speed = Ritmo
 page-layout-link = Elo {$name}
 page-layout-slider = Cursor {$name}
 page-layout-drive_at = {$name} está em
+page-layout-drive_unread = “{$typed}” não é um número aqui. Escreva um, se quiser com unidade: 60°, 0,5 rad, 12 cm.
 page-layout-steps = Passos
 page-layout-steps_long = Passos da construção
 page-layout-first = Primeiro passo (Home)

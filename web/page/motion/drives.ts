@@ -105,6 +105,7 @@ export function drives(app: Shown, gestures: Gestures, taken: () => void): Drive
   /** Drives to the value that was typed; what is none is put back. */
   function go({ drive, value }: Row): void {
     const typed = measured(value.value, drive.is_angle ? "°" : unitsOf(app.solved.value.opened?.scene ?? {}).length);
+    if (typeof typed !== "number" && value.value.trim() !== "") app.tell(say("drive_unread", { typed: value.value }));
     if (typeof typed !== "number" || value.value === drive.shown) return void (value.value = drive.shown);
     const { low, high } = drive;
     pull(drive, Math.min(Math.max(typed, low ?? -Infinity), high ?? Infinity));

@@ -22,8 +22,8 @@ const SURE = 0.6;
 function unitsMistaken(result: CheckResult | null | undefined): Map<string, string> {
   const { mistakes, probability } = result?.diagnosis ?? { mistakes: [], probability: 0 };
   const told = mistakes.filter(({ mistake }) => probability >= SURE && OF_UNITS.includes(mistake));
-  // The box says itself which quantity it is.
-  return new Map(told.flatMap(({ written = [], done, should_be }) => written.map((name): [string, string] => [name, `${plainly(done).replace(`${name}: `, "")}: ${plainly(should_be)}`])));
+  // The box says itself which quantity it is; what is said of several stands beside the first.
+  return new Map(told.flatMap(({ written: [name] = [], done, should_be }) => (name === undefined ? [] : [[name, `${plainly(done).replace(`${name}: `, "")}: ${plainly(should_be)}`] as const])));
 }
 
 /** A sentence of results, in which letters have their indices behind a stroke. */

@@ -112,6 +112,7 @@ export function row(of: FormRow, events: RowEvents): Row {
     const isFromPoints = own.digits === "" && fromPoints !== null;
     const hasTyped = taken(own.digits).unit !== null;
     const isPaper = file.in === "mm" && of.is_segment && !own.onPaper && own.unit === null && !isFromPoints && !hasTyped;
+    input.classList.toggle("with-unit", hasTyped);
     unit.hidden = isPaper || hasTyped;
     paper.hidden = !isPaper;
     showEcho(is);
