@@ -103,7 +103,7 @@ impl Plan {
             return None;
         }
         let mut about: Vec<Option<PointId>> =
-            mechanism.bodies.iter().map(|body| body.points.first().copied()).collect();
+            mechanism.body_ids().map(|body| mechanism.first_point(body)).collect();
         let groups: Option<Vec<Opened>> =
             mechanism.groups.iter().rev().map(|group| Opened::new(mechanism, group)).collect();
         let groups = groups?;
@@ -239,7 +239,7 @@ impl<P: Posed<N>, N: Quick> Here<'_, P, N> {
 
     /// What the frame has received, about its first point.
     fn frame(&self, mechanism: &Mechanism) -> Wrench<N> {
-        debug_assert_eq!(self.plan.about[GROUND.0], mechanism.body(GROUND).points.first().copied());
+        debug_assert_eq!(self.plan.about[GROUND.0], mechanism.first_point(GROUND));
         self.loads[GROUND.0]
     }
 }

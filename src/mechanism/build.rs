@@ -79,7 +79,7 @@ pub(crate) fn renumber(mechanism: &mut Mechanism, scene: &Scene) -> Option<()> {
         *given = place(name);
     }
     let (ground, links) = mechanism.bodies.split_at_mut(GROUND.0 + 1);
-    for (local, place) in ground[GROUND.0].local.iter_mut().zip(scene.ground.iter().filter_map(place)) {
+    for (local, place) in ground[GROUND.0].local.iter_mut().zip(in_order(&scene.ground).filter_map(place)) {
         *local = place;
     }
     let driven = LazyCell::new(|| places_from_drives(scene));
@@ -275,14 +275,14 @@ fn add_carriage(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
     let points = &mechanism.body(link).points;
     let at = *points.first().expect("a link given by lengths has a point");
     // Positions count from a point of the ground, so that no digits are lost where the origin is far away.
-    let ground = mechanism.body(GROUND).local.first().copied();
+    let ground = mechanism.origin.and_then(|point| mechanism.body(GROUND).local_of(point));
     // The carriage does not turn: from its guide, at 90°, to its axis are −90°.
     let slides = [(GROUND, carriage, ground, Vector::y(), -90.0), (carriage, link, None, Vector::x(), angle)];
     for (on, link, through, direction, turned) in slides {
         let through = through.unwrap_or_else(Point::origin);
         let guide = Guide::Local { through, direction };
         let slider =
-            Slider { link, at, on, guide, counted_from: None, turned, drive: None, travel: None, is_contact: false };
+            Slider { link, at, on, guide, counted_from: None, turned, drive: None, travel: None, is_contact: false, given: None };
         mechanism.add_slider(slider);
     }
 }
@@ -349,8 +349,9 @@ fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError>
         role,
         block: false,
     };
-    let ground_places = scene.ground.iter().filter_map(|name| given(name)).collect();
-    mechanism.bodies.push(body("ground", &mut scene.ground.iter(), Role::Ground, ground_places));
+    let ground_places = in_order(&scene.ground).filter_map(|name| given(name)).collect();
+    mechanism.bodies.push(body("ground", &mut in_order(&scene.ground), Role::Ground, ground_places));
+    mechanism.origin = scene.ground.first().and_then(|name| names.get_index_of(name)).map(PointId);
     let driven = LazyCell::new(|| places_from_drives(scene));
     for (name, link) in links {
         let role = role(scene, &mechanism, name, link)?;

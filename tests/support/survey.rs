@@ -66,6 +66,11 @@ pub const CONSTRUCTED: By<usize> = By(12, 100, 667);
 /// Positions of each starting scene in `whole_errors`.
 pub const WHOLE_POSITIONS: By<u32> = By(1, 2, 60);
 
+/// Orders of each scene of `orders`, of the scenes every so many-th there, and of their figures.
+pub const ORDERS: By<usize> = By(2, 5, 25);
+pub const ORDERED_SCENES: By<usize> = By(4, 1, 1);
+pub const ORDERED_FIGURES: By<usize> = By(12, 4, 1);
+
 /// Mechanisms of `free_bodies`.
 pub const FREE_BODIES: By<u64> = By(30, 300, 2000);
 
