@@ -229,6 +229,16 @@ fn names_follow_what_is_renamed_or_removed() {
         let name = name.as_str().expect("a name");
         assert!(solution.quantity(name).expect(name).as_number() != 0.0, "{name}");
     }
+    // A pin that joins two links alone is no longer said to be fixed in one of them.
+    let text = toggle(60.0, "3").to_string();
+    for (gone, left) in [("4", json!(null)), ("3", json!(null))] {
+        let dropped = apply(&text, &[Edit::DropLink { drop_link: gone.to_owned() }]).unwrap_or_else(|error| panic!("{error}"));
+        let dropped: Value = serde_json::from_str(&dropped).expect("JSON");
+        assert_eq!(dropped["friction"][0]["pin"], "C", "{dropped}");
+        assert_eq!(dropped["friction"][0]["fixed_in"], left, "{dropped}");
+    }
+    let renamed = apply(&text, &[rename(Named::Link, "3", "7")]).unwrap_or_else(|error| panic!("{error}"));
+    assert!(renamed.contains(r#""fixed_in":"7""#), "{renamed}");
     let without: Value = edited(&[Edit::DropPoint { drop_point: "B".to_owned() }]);
     assert!(!without.to_string().contains("\"pin\""), "{without}");
 }
