@@ -102,8 +102,7 @@ impl Plan {
         if !mechanism.joints.iter().all(is_plain) {
             return None;
         }
-        let mut about: Vec<Option<PointId>> =
-            mechanism.body_ids().map(|body| mechanism.first_point(body)).collect();
+        let mut about: Vec<Option<PointId>> = mechanism.body_ids().map(|body| mechanism.first_point(body)).collect();
         let groups: Option<Vec<Opened>> =
             mechanism.groups.iter().rev().map(|group| Opened::new(mechanism, group)).collect();
         let groups = groups?;

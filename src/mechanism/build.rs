@@ -5,10 +5,7 @@ use super::loaded::check_loads;
 use super::says;
 use super::shape::{Side, local_points};
 use super::structure::{Edge, Structure, structure};
-use super::{
-    Body, BodyId, GROUND, Guide, LoopEquations, Mechanism, Placing, PointId, Role, Slider,
-    StructureError,
-};
+use super::{Body, BodyId, GROUND, Guide, LoopEquations, Mechanism, Placing, PointId, Role, Slider, StructureError};
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::message::Message;
 use crate::scene::{Along, GivenBy, Link, Scene, Shape, by_name};
@@ -112,7 +109,8 @@ fn add_groups(scene: &Scene, mechanism: &mut Mechanism) -> Result<(), StructureE
     mechanism.joints.extend(pins.iter().flat_map(Pin::joints));
     let index = |b: BodyId| places[mechanism.lead(b).0];
     let edge = |joint: &Joint| {
-        let slides = joint.angular.iter().filter_map(|angular| angular.travel.as_ref()).flat_map(|travel| &travel.slides);
+        let slides =
+            joint.angular.iter().filter_map(|angular| angular.travel.as_ref()).flat_map(|travel| &travel.slides);
         let sliding = slides.map(|(id, _)| mechanism.slider(*id)).flat_map(|slider| [slider.on, slider.link]);
         let related = joint.related_bodies().chain(sliding).filter_map(index).collect();
         Edge { ends: joint.bodies.map(index), constraints: joint.constraints(), related }
@@ -281,8 +279,18 @@ fn add_carriage(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
     for (on, link, through, direction, turned) in slides {
         let through = through.unwrap_or_else(Point::origin);
         let guide = Guide::Local { through, direction };
-        let slider =
-            Slider { link, at, on, guide, counted_from: None, turned, drive: None, travel: None, is_contact: false, given: None };
+        let slider = Slider {
+            link,
+            at,
+            on,
+            guide,
+            counted_from: None,
+            turned,
+            drive: None,
+            travel: None,
+            is_contact: false,
+            given: None,
+        };
         mechanism.add_slider(slider);
     }
 }
@@ -328,8 +336,10 @@ fn points_in_order(link: &Link) -> Vec<usize> {
 /// A mechanism of the scene's points and bodies, without joints.
 fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError> {
     let links = links_in_order(scene);
-    let of_links = links.iter().flat_map(|(_, link)| points_in_order(link).into_iter().map(|index| &link.points[index]));
-    let names: IndexSet<&String> = in_order(&scene.ground).chain(of_links).chain(in_order(scene.known.keys())).collect();
+    let of_links =
+        links.iter().flat_map(|(_, link)| points_in_order(link).into_iter().map(|index| &link.points[index]));
+    let names: IndexSet<&String> =
+        in_order(&scene.ground).chain(of_links).chain(in_order(scene.known.keys())).collect();
     let given = |name: &str| scene.coordinates.get(name).map(|&place| Point::from(place));
     let mut mechanism = Mechanism {
         time: scene.units.time,

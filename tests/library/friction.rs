@@ -232,7 +232,8 @@ fn names_follow_what_is_renamed_or_removed() {
     // A pin that joins two links alone is no longer said to be fixed in one of them.
     let text = toggle(60.0, "3").to_string();
     for (gone, left) in [("4", json!(null)), ("3", json!(null))] {
-        let dropped = apply(&text, &[Edit::DropLink { drop_link: gone.to_owned() }]).unwrap_or_else(|error| panic!("{error}"));
+        let dropped =
+            apply(&text, &[Edit::DropLink { drop_link: gone.to_owned() }]).unwrap_or_else(|error| panic!("{error}"));
         let dropped: Value = serde_json::from_str(&dropped).expect("JSON");
         assert_eq!(dropped["friction"][0]["pin"], "C", "{dropped}");
         assert_eq!(dropped["friction"][0]["fixed_in"], left, "{dropped}");

@@ -13,7 +13,7 @@ use support::files::{list, path, read, scene_text};
 use support::orders::reordered;
 use support::random::Random;
 use support::stages::solved;
-use support::survey::{ORDERED_FIGURES, ORDERED_SCENES, ORDERS};
+use support::survey::{ORDERED_FIGURES, ORDERED_SCENES, ORDERS, Size};
 
 /// Largest difference of numbers without a stated error, in parts of the largest of their kind.
 const WITHOUT_BOUND: f64 = 1e-9;
@@ -30,9 +30,12 @@ fn add_scenes(folder: &str, found: &mut Vec<(String, String)>) {
         } else if name.ends_with(".json") {
             // Some are there because they are no texts.
             found.extend(std::fs::read_to_string(path(&file)).ok().map(|text| (file.clone(), text)));
-        } else if name.ends_with(".jsonl") {
+        } else if name.ends_with(".jsonl") && Size::asked() >= Size::Usual {
             let text = read(&file);
-            let cases = text.lines().enumerate().filter(|(_, line)| line.contains("\"scene\":{") || line.contains("\"scene\": {"));
+            let cases = text
+                .lines()
+                .enumerate()
+                .filter(|(_, line)| line.contains("\"scene\":{") || line.contains("\"scene\": {"));
             found.extend(cases.map(|(number, line)| (format!("{file}:{}", number + 1), scene_text(line).to_owned())));
         }
     }
@@ -41,13 +44,11 @@ fn add_scenes(folder: &str, found: &mut Vec<(String, String)>) {
 fn scenes() -> Vec<(String, String)> {
     let mut found = Vec::new();
     ["templates", "examples", "tests"].iter().for_each(|folder| add_scenes(folder, &mut found));
-    found.extend(std::env::var("KINEGON_SCENES").iter().flat_map(|more| more.split(':')).flat_map(|folder| {
-        let files = std::fs::read_dir(folder).into_iter().flatten().flatten();
-        files.filter_map(|file| Some((file.path().display().to_string(), std::fs::read_to_string(file.path()).ok()?)))
-    }));
     let is_scene = |text: &str| {
         let value: Option<Value> = serde_json::from_str(text).ok();
-        value.is_some_and(|value| value["links"].is_object() && value["kinegon"] == 1 && value["kinegon_study"].is_null())
+        value.is_some_and(|value| {
+            value["links"].is_object() && value["kinegon"] == 1 && value["kinegon_study"].is_null()
+        })
     };
     found.retain(|(_, text)| is_scene(text) && Scene::read(text).is_ok());
     found
@@ -82,7 +83,8 @@ impl Numbers {
         match value {
             Value::Object(entries) => {
                 for (key, own) in entries {
-                    if key == "error" || key.contains("_error") || key.starts_with("disagreement") || key == "condition" {
+                    if key == "error" || key.contains("_error") || key.starts_with("disagreement") || key == "condition"
+                    {
                         continue;
                     }
                     let is_whole = entries.contains_key("error") && key != "powers";
@@ -119,7 +121,9 @@ impl Numbers {
 
     /// The last words of paths, so that numbers of a kind have one scale.
     fn scale(&self, path: &str) -> f64 {
-        let kind = |path: &str| path.trim_end_matches(|c: char| c.is_ascii_digit() || c == '/').rsplit('/').next().map(str::to_owned);
+        let kind = |path: &str| {
+            path.trim_end_matches(|c: char| c.is_ascii_digit() || c == '/').rsplit('/').next().map(str::to_owned)
+        };
         let own = kind(path);
         let alike = self.of.iter().filter(|(other, _)| kind(other) == own);
         alike.map(|(_, (x, _))| x.abs()).fold(0.0, f64::max)
@@ -214,7 +218,8 @@ fn drawn_alike(one: &Solution, other: &Solution) -> Vec<String> {
     }
     // Numbers aside, of which results say more.
     let masked = |line: &str| {
-        let is_number = |word: &&str| word.trim_end_matches([',', ';', '°', ')']).trim_start_matches('(').parse::<f64>().is_ok();
+        let is_number =
+            |word: &&str| word.trim_end_matches([',', ';', '°', ')']).trim_start_matches('(').parse::<f64>().is_ok();
         line.split_whitespace().map(|word| if is_number(&word) { "#" } else { word }).collect::<Vec<_>>().join(" ")
     };
     let steps = |solution: &Solution| {
@@ -245,7 +250,11 @@ fn the_order_of_links_points_and_joints_says_nothing() {
             tried += 1;
             let found = compared(&usual, &solved(&other), number.is_multiple_of(ORDERED_FIGURES.now()) && order < 3);
             if !found.is_empty() {
-                wrong.push(format!("{name}: {} differences, as {}", found.len(), found[..found.len().min(4)].join("; ")));
+                wrong.push(format!(
+                    "{name}: {} differences, as {}",
+                    found.len(),
+                    found[..found.len().min(4)].join("; ")
+                ));
                 if std::env::var("KINEGON_SURVEY").is_ok() {
                     println!("{}\n{other}", wrong.last().expect("just pushed"));
                 }

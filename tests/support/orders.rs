@@ -20,7 +20,8 @@ pub fn reordered(text: &str, dice: &mut Random) -> String {
         entries.get_mut(key).into_iter().for_each(|list| shuffle_from(list, 0, dice));
     }
     for key in ["forces", "springs", "contacts"] {
-        let is_named = |list: &&mut Value| list.as_array().is_some_and(|all| all.iter().all(|own| own.get("name").is_some()));
+        let is_named =
+            |list: &&mut Value| list.as_array().is_some_and(|all| all.iter().all(|own| own.get("name").is_some()));
         entries.get_mut(key).filter(is_named).into_iter().for_each(|list| shuffle_from(list, 0, dice));
     }
     if let Some(sliders) = entries.get_mut("sliders").filter(|sliders| !has_alike(sliders)) {
@@ -46,7 +47,9 @@ fn shuffle_points(link: &mut Value, dice: &mut Random) {
             let has_points = keys.contains_key("points");
             keys.get_mut("points").into_iter().for_each(|points| shuffle_from(points, 2, dice));
             keys.get_mut("lengths").into_iter().for_each(|lengths| shuffle_from(lengths, 0, dice));
-            keys.get_mut("shape").into_iter().for_each(|shape| shuffle_from(shape, if has_points { 0 } else { 2 }, dice));
+            keys.get_mut("shape")
+                .into_iter()
+                .for_each(|shape| shuffle_from(shape, if has_points { 0 } else { 2 }, dice));
         }
         list => shuffle_from(list, 2, dice),
     }
@@ -57,7 +60,8 @@ fn shuffle_from(list: &mut Value, first: usize, dice: &mut Random) {
     match list {
         Value::Array(elements) => shuffle(elements, first, dice),
         Value::Object(keys) => {
-            let (notes, mut entries): (Vec<_>, Vec<_>) = std::mem::take(keys).into_iter().partition(|(key, _)| key == "note");
+            let (notes, mut entries): (Vec<_>, Vec<_>) =
+                std::mem::take(keys).into_iter().partition(|(key, _)| key == "note");
             shuffle(&mut entries, first, dice);
             keys.extend(entries.into_iter().chain(notes));
         }

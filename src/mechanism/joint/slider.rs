@@ -238,7 +238,8 @@ pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
         let mut contacts = scene.contacts.iter();
         contacts.any(|contact| matches!(contact.equivalent, Equivalent::Slider { index: own, .. } if own == index))
     };
-    let on = |given: &scene::Slider, mechanism: &Mechanism| mechanism.body_named(&given.on).expect("checked by the scene");
+    let on =
+        |given: &scene::Slider, mechanism: &Mechanism| mechanism.body_named(&given.on).expect("checked by the scene");
     let pinned = |(index, given): (usize, &scene::Slider)| {
         Some((mechanism.point(given.pin.as_ref()?)?, on(given, mechanism), index))
     };
@@ -248,7 +249,8 @@ pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
         let link = mechanism.link(given.link.as_ref()?)?;
         Some((link, on(given, mechanism), mechanism.point(given.at.as_ref()?)?, index))
     };
-    let mut sliding: Vec<(BodyId, BodyId, PointId, usize)> = scene.sliders.iter().enumerate().filter_map(linked).collect();
+    let mut sliding: Vec<(BodyId, BodyId, PointId, usize)> =
+        scene.sliders.iter().enumerate().filter_map(linked).collect();
     sliding.sort_unstable();
     for (pin, on, index) in pinned {
         sliding.push((add_block(mechanism, pin), on, pin, index));

@@ -65,8 +65,10 @@ fn watt_driven_at_the_far_dyad_follows_dependence_not_numbers() {
     let (links, joints) = with_known(&WATT, 6, &[4, 5]);
     assert_eq!(links_of(links, &joints), [[0, 1], [2, 3]]);
     // The same with the numbers of the links turned round.
-    let turned: Vec<Edge> =
-        joints.iter().map(|edge| Edge { ends: edge.ends.map(|end| end.map(|link| 3 - link)), ..edge.clone() }).collect();
+    let turned: Vec<Edge> = joints
+        .iter()
+        .map(|edge| Edge { ends: edge.ends.map(|end| end.map(|link| 3 - link)), ..edge.clone() })
+        .collect();
     assert_eq!(links_of(links, &turned), [[2, 3], [0, 1]]);
 }
 
@@ -193,7 +195,11 @@ fn two_hundred_dyads_in_reverse_come_in_order() {
     }
     let expected: Vec<Component> = (0..count)
         .rev()
-        .map(|dyad| Component { links: vec![2 * dyad, 2 * dyad + 1], pins: vec![], joints: (3 * dyad..3 * dyad + 3).collect() })
+        .map(|dyad| Component {
+            links: vec![2 * dyad, 2 * dyad + 1],
+            pins: vec![],
+            joints: (3 * dyad..3 * dyad + 3).collect(),
+        })
         .collect();
     assert_eq!(groups_of(2 * count, &joints), expected);
 }
@@ -361,7 +367,8 @@ fn pins_of_several_links_are_points() {
                     assert_eq!(supplied, 3 * group.links.len() + 2 * group.pins.len(), "{group:?} of {joints:?}");
                 }
                 joints.reverse();
-                let order = |groups: &[Component]| groups.iter().map(|g| (g.links.clone(), g.pins.clone())).collect::<Vec<_>>();
+                let order =
+                    |groups: &[Component]| groups.iter().map(|g| (g.links.clone(), g.pins.clone())).collect::<Vec<_>>();
                 match structure(links, pins, &joints) {
                     Structure::Groups(others) => assert_eq!(order(groups), order(&others), "{joints:?}"),
                     misfit @ Structure::Misfit { .. } => panic!("{misfit:?}"),
