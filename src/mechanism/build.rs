@@ -157,7 +157,9 @@ fn add_groups(scene: &Scene, mechanism: &mut Mechanism) -> Result<(), StructureE
         let hub = pin.hub.or_else(|| mechanism.fixed_in(pin.point).filter(|body| here.contains(body)));
         let pin = Pin { hub: hub.or(here.first().copied()), ..pin };
         mechanism.joints.extend(pin.joints());
-        met.extend(first.filter(|_| hub.is_none() && here.len() > 2).map(|first| (first, from, pin, here)));
+        let has_choice =
+            |first: &usize| hub.is_none() && here.len() > 2 && components[*first].links.len() == CLASS_OF_CHOICE;
+        met.extend(first.filter(has_choice).map(|first| (first, from, pin, here)));
     }
     let rank = |body: BodyId| rank[mechanism.lead(body).0];
     let mut joints = vec![Vec::new(); components.len()];
@@ -167,7 +169,7 @@ fn add_groups(scene: &Scene, mechanism: &mut Mechanism) -> Result<(), StructureE
             joints[own].push(id);
         }
     }
-    // Where three or more links of one group meet first, the pin is at the one with which the group has the lowest class.
+    // There the pin is at the link with which the group has the lowest class.
     for (first, from, pin, here) in met {
         let links: Vec<BodyId> = components[first].links.iter().map(|&link| members[link]).collect();
         let mut class = |hub: BodyId| {
@@ -197,6 +199,10 @@ fn add_groups(scene: &Scene, mechanism: &mut Mechanism) -> Result<(), StructureE
     }
     Ok(())
 }
+
+/// Number of links of a group whose class depends on the link at which a pin is where three or more of its links meet first: two links meet at no
+/// such pin, and groups of more are of higher class at any.
+const CLASS_OF_CHOICE: usize = 4;
 
 /// The bodies that share a point.
 #[derive(Clone, Debug)]
