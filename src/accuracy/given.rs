@@ -1,8 +1,8 @@
 //! What the scene gives, with all digits that stand in its text: lengths, coordinates and angles as [`Ball`]s.
 
 use crate::geometry::{Ball, Number, Pair, RADIANS_PER_SECOND, RADIANS_PER_TURN};
-use crate::mechanism::{BodyId, Guide, Mechanism, PointId, SliderId};
-use crate::scene::{self, Along, At, Length, On, Scene, Shape, TimeUnit};
+use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
+use crate::scene::{self, Along, At, Length, Scene, Shape, TimeUnit};
 
 /// A place or a vector.
 pub(super) type Vector = Pair<Ball>;
@@ -94,7 +94,7 @@ impl Given<'_> {
     pub fn line(&self, id: SliderId, local: impl Fn(PointId) -> Option<Vector>) -> [Vector; 2] {
         let slider = self.mechanism.slider(id);
         let (rough, along) = slider.line();
-        let Some(given) = self.scene.sliders.get(id.0) else {
+        let Some(given) = slider.given.and_then(|index| self.scene.sliders.get(index)) else {
             // The carriage of a given angle has guides along the axes.
             return [self.vector(rough), Pair::within(along, 0.0)];
         };
@@ -102,7 +102,7 @@ impl Given<'_> {
         let through = match (&given.through, &given.along) {
             (Some(At::Place(p)), _) => Some(self.vector(*p)),
             (Some(At::Point(p)), _) | (None, Along::Points(p, _)) => point(p),
-            (None, _) => self.mechanism.body(slider.on).points.first().and_then(|&p| local(p)),
+            (None, _) => self.mechanism.first_point(slider.on).and_then(&local),
         };
         let direction = match &given.along {
             Along::Points(a, b) => point(a).zip(point(b)).map(|(a, b)| (b - a).unit()),
@@ -121,12 +121,13 @@ impl Given<'_> {
     pub fn drawn_guide(&self, id: SliderId, places: &[Vector]) -> Vector {
         let slider = self.mechanism.slider(id);
         let between = |a: PointId, b: PointId| (places[b.0] - places[a.0]).unit();
-        match (slider.guide, self.scene.sliders.get(id.0).map(|given: &scene::Slider| &given.along)) {
+        let given = slider.given.and_then(|index| self.scene.sliders.get(index));
+        match (slider.guide, given.map(|given: &scene::Slider| &given.along)) {
             (Guide::DrawnBetween(a, b), _) => between(a, b),
             (_, Some(Along::Direction(d))) => self.vector(*d).unit(),
             (_, Some(Along::Degrees(angle))) => {
                 let turn = self.direction(*angle);
-                let on_ground = self.scene.sliders[id.0].on == On::Ground;
+                let on_ground = slider.on == GROUND;
                 match self.mechanism.body(slider.on).points.as_slice() {
                     [a, b, ..] if !on_ground => between(*a, *b).turn(turn),
                     _ => turn,

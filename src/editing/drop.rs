@@ -22,6 +22,7 @@ pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneE
     remove_entries(document, &["forces"], &|load| load["on"] == *name)?;
     remove_entries(document, &["springs"], &|spring| ends(spring).any(|end| end[0] == *name))?;
     remove_friction(document, &names, Named::Link, name)?;
+    loosen_pins(document, &names, name)?;
     document.remove(&["near", &format!("angle({name})")])?;
     for list in ["centrodes", "inflection"] {
         remove_entries(document, &["figure", list], &|link| *link == *name)?;
@@ -125,6 +126,23 @@ fn remove_friction(document: &mut Document<'_>, names: &Names, what: Named, name
             || guide.is_some_and(|name| renamer.plan_name(name).is_some())
     };
     remove_entries(document, &["friction"], &is_gone)
+}
+
+/// Removes the friction of pins that were fixed in a link and still join several others, and no longer says in which of two links one is fixed.
+fn loosen_pins(document: &mut Document<'_>, names: &Names, link: &str) -> Result<(), SceneError> {
+    let has = |points: &[String], pin: &Json| points.iter().any(|point| pin == point);
+    let joined = |friction: &Json| {
+        let others = names.links.iter().filter(|(name, points)| *name != link && has(points, &friction["pin"])).count();
+        others + usize::from(has(&names.ground, &friction["pin"]))
+    };
+    remove_entries(document, &["friction"], &|friction| friction["fixed_in"] == *link && joined(friction) > 2)?;
+    let scene = document.json();
+    for (index, friction) in scene["friction"].as_array().into_iter().flatten().enumerate() {
+        if !friction["fixed_in"].is_null() && joined(friction) <= 2 {
+            document.remove(&["friction", &index.to_string(), "fixed_in"])?;
+        }
+    }
+    Ok(())
 }
 
 /// Removes what loads links at a point: forces, springs and friction there, and masses with their centre there.

@@ -122,7 +122,8 @@ impl Stand {
             Stand::turned(scene, &mechanism.body(id).name, degrees_of((*now.axes.get(id.0)?)?), has_wheels)
         });
         let pushed = mechanism.sliders.iter().enumerate().filter(|(_, slider)| slider.drive.is_some());
-        let pushed = pushed.filter_map(|(index, _)| Stand::pushed(scene, index, (*now.slides.get(index)?)?, now));
+        let pushed =
+            pushed.filter_map(|(id, slider)| Stand::pushed(scene, slider.given?, (*now.slides.get(id)?)?, now));
         turned.chain(pushed).collect()
     }
 
@@ -140,7 +141,7 @@ impl Stand {
         (is_new || turns_count).then_some(Stand { path, value, turn: 360.0, is_new, decimals: ANGLE })
     }
 
-    /// The slider of that index at that position.
+    /// The slider of that index in the scene at that position.
     fn pushed(scene: &Json, index: usize, value: f64, now: &Pose) -> Option<Stand> {
         let path = position_of(scene, index)?;
         let size = span(now.points.iter().copied());

@@ -252,7 +252,7 @@ fn rubbed(mechanism: &Mechanism, friction: &Friction) -> Vec<(JointId, Rub)> {
 
 /// A place of a body as the scene gives it; its first point where it gives none.
 fn spot(mechanism: &Mechanism, body: BodyId, at: Option<&LinkPlace>) -> Spot {
-    let first = mechanism.body(body).points.first().copied();
+    let first = mechanism.first_point(body);
     let local = match at {
         Some(LinkPlace::Point(name)) => return mechanism.point(name).map_or(Spot::Fixed([0.0; 2]), Spot::Point),
         None => return first.map_or(Spot::Fixed([0.0; 2]), Spot::Point),
@@ -417,5 +417,5 @@ impl<N: Counted, P: Posed<N>> Here<'_, P, N> {
 
 /// The place about which the moments of a body are taken: its first point.
 pub(super) fn about<N: Counted>(mechanism: &Mechanism, posed: &impl Posed<N>, body: BodyId) -> Pair<N> {
-    mechanism.body(body).points.first().map_or_else(Pair::default, |&point| posed.place(point))
+    mechanism.first_point(body).map_or_else(Pair::default, |point| posed.place(point))
 }

@@ -102,8 +102,7 @@ impl Plan {
         if !mechanism.joints.iter().all(is_plain) {
             return None;
         }
-        let mut about: Vec<Option<PointId>> =
-            mechanism.bodies.iter().map(|body| body.points.first().copied()).collect();
+        let mut about: Vec<Option<PointId>> = mechanism.body_ids().map(|body| mechanism.first_point(body)).collect();
         let groups: Option<Vec<Opened>> =
             mechanism.groups.iter().rev().map(|group| Opened::new(mechanism, group)).collect();
         let groups = groups?;
@@ -239,7 +238,7 @@ impl<P: Posed<N>, N: Quick> Here<'_, P, N> {
 
     /// What the frame has received, about its first point.
     fn frame(&self, mechanism: &Mechanism) -> Wrench<N> {
-        debug_assert_eq!(self.plan.about[GROUND.0], mechanism.body(GROUND).points.first().copied());
+        debug_assert_eq!(self.plan.about[GROUND.0], mechanism.first_point(GROUND));
         self.loads[GROUND.0]
     }
 }

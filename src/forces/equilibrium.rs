@@ -432,7 +432,8 @@ impl<N: Counted, P: Posed<N>> Balance<'_, P, N> {
     /// A force at a place on the second body of a joint, and its opposite on the first.
     fn on_both(&self, joint: JointId, at: Pair<N>, force: Pair<N>) -> SmallVec<[(BodyId, Wrench<N>); 3]> {
         let [first, second] = self.mechanism.joint(joint).bodies;
-        let on = |body: BodyId, force: Pair<N>| (body, Wrench { force, moment: (at - self.about[body.0]).cross(force) });
+        let on =
+            |body: BodyId, force: Pair<N>| (body, Wrench { force, moment: (at - self.about[body.0]).cross(force) });
         smallvec![on(first, -force), on(second, force)]
     }
 }

@@ -2,8 +2,8 @@
 
 use super::acting::{LoadList, Rub, Source};
 use super::equilibrium::carried;
-use super::{AtPose, Posed};
-use crate::geometry::{Ball, Pair, Vector};
+use super::{AtPose, Forces, Posed};
+use crate::geometry::Vector;
 use crate::mechanism::{JointId, Mechanism};
 use crate::position::Pose;
 use crate::scene::Grip;
@@ -17,6 +17,8 @@ pub(crate) struct RubbedJoint {
     pub grip: Grip,
     /// The radius of the pin's journal; 0 in a guide.
     pub radius: f64,
+    /// Whether what rubs there is what the joint carries, not what several joints of a pin carry together.
+    pub is_alone: bool,
 }
 
 /// What friction does to a body: a force along a guide or a couple at a pin.
@@ -29,9 +31,12 @@ pub(crate) struct FrictionLoad {
 /// The joints that rub.
 pub(crate) fn rubbing(mechanism: &Mechanism) -> Vec<RubbedJoint> {
     let joints = LoadList::new(mechanism).map(|list| list.friction).unwrap_or_default();
-    let joint = |(joint, rub)| match rub {
-        Rub::Pin { grip, radius } => RubbedJoint { joint, is_pin: true, grip, radius },
-        Rub::Guide(_, grip) => RubbedJoint { joint, is_pin: false, grip, radius: 0.0 },
+    let joint = |(joint, rub)| {
+        let is_alone = mechanism.rubbing_bodies(joint)[1] == mechanism.joint(joint).bodies[1];
+        match rub {
+            Rub::Pin { grip, radius } => RubbedJoint { joint, is_pin: true, grip, radius, is_alone },
+            Rub::Guide(_, grip) => RubbedJoint { joint, is_pin: false, grip, radius: 0.0, is_alone },
+        }
     };
     joints.into_iter().map(joint).collect()
 }
@@ -63,11 +68,15 @@ pub(crate) fn smooth_over_rough(mechanism: &Mechanism, pose: &Pose) -> Option<Ve
     let rough = carried(mechanism, &posed, &list)?;
     let smooth = carried(mechanism, &posed, &list.clone().without_friction())?;
     let ratio = |&(joint, rub): &(JointId, Rub)| {
-        let size = |force: Pair<Ball>| match rub {
-            Rub::Pin { .. } => force.rounded().norm(),
-            Rub::Guide(slider, _) => force.dot(Posed::guide(&posed, slider).quarter_turn()).high.abs(),
+        let size = |forces: &Forces| match rub {
+            Rub::Pin { .. } => {
+                let [_, body] = mechanism.rubbing_bodies(joint);
+                let force = forces.at_pin(mechanism, mechanism.joint_point(joint), body);
+                force.unwrap_or_default().rounded().norm()
+            }
+            Rub::Guide(slider, _) => forces.normal(mechanism, slider, Posed::guide(&posed, slider)).high.abs(),
         };
-        (joint, size(smooth.joints[joint.0].force) / size(rough.joints[joint.0].force))
+        (joint, size(&smooth) / size(&rough))
     };
     Some(list.friction.iter().map(ratio).collect())
 }

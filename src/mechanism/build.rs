@@ -5,10 +5,7 @@ use super::loaded::check_loads;
 use super::says;
 use super::shape::{Side, local_points};
 use super::structure::{Edge, Structure, structure};
-use super::{
-    Body, BodyId, GROUND, Guide, LoopEquations, Mechanism, Placing, PointId, Role, Slider,
-    StructureError,
-};
+use super::{Body, BodyId, GROUND, Guide, LoopEquations, Mechanism, Placing, PointId, Role, Slider, StructureError};
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::message::Message;
 use crate::scene::{Along, GivenBy, Link, Scene, Shape, by_name};
@@ -79,7 +76,7 @@ pub(crate) fn renumber(mechanism: &mut Mechanism, scene: &Scene) -> Option<()> {
         *given = place(name);
     }
     let (ground, links) = mechanism.bodies.split_at_mut(GROUND.0 + 1);
-    for (local, place) in ground[GROUND.0].local.iter_mut().zip(scene.ground.iter().filter_map(place)) {
+    for (local, place) in ground[GROUND.0].local.iter_mut().zip(in_order(&scene.ground).filter_map(place)) {
         *local = place;
     }
     let driven = LazyCell::new(|| places_from_drives(scene));
@@ -112,7 +109,8 @@ fn add_groups(scene: &Scene, mechanism: &mut Mechanism) -> Result<(), StructureE
     mechanism.joints.extend(pins.iter().flat_map(Pin::joints));
     let index = |b: BodyId| places[mechanism.lead(b).0];
     let edge = |joint: &Joint| {
-        let slides = joint.angular.iter().filter_map(|angular| angular.travel.as_ref()).flat_map(|travel| &travel.slides);
+        let slides =
+            joint.angular.iter().filter_map(|angular| angular.travel.as_ref()).flat_map(|travel| &travel.slides);
         let sliding = slides.map(|(id, _)| mechanism.slider(*id)).flat_map(|slider| [slider.on, slider.link]);
         let related = joint.related_bodies().chain(sliding).filter_map(index).collect();
         Edge { ends: joint.bodies.map(index), constraints: joint.constraints(), related }
@@ -159,7 +157,9 @@ fn add_groups(scene: &Scene, mechanism: &mut Mechanism) -> Result<(), StructureE
         let hub = pin.hub.or_else(|| mechanism.fixed_in(pin.point).filter(|body| here.contains(body)));
         let pin = Pin { hub: hub.or(here.first().copied()), ..pin };
         mechanism.joints.extend(pin.joints());
-        met.extend(first.filter(|_| hub.is_none() && here.len() > 2).map(|first| (first, from, pin, here)));
+        let has_choice =
+            |first: &usize| hub.is_none() && here.len() > 2 && components[*first].links.len() == CLASS_OF_CHOICE;
+        met.extend(first.filter(has_choice).map(|first| (first, from, pin, here)));
     }
     let rank = |body: BodyId| rank[mechanism.lead(body).0];
     let mut joints = vec![Vec::new(); components.len()];
@@ -169,7 +169,7 @@ fn add_groups(scene: &Scene, mechanism: &mut Mechanism) -> Result<(), StructureE
             joints[own].push(id);
         }
     }
-    // Where three or more links of one group meet first, the pin is at the one with which the group has the lowest class.
+    // There the pin is at the link with which the group has the lowest class.
     for (first, from, pin, here) in met {
         let links: Vec<BodyId> = components[first].links.iter().map(|&link| members[link]).collect();
         let mut class = |hub: BodyId| {
@@ -199,6 +199,10 @@ fn add_groups(scene: &Scene, mechanism: &mut Mechanism) -> Result<(), StructureE
     }
     Ok(())
 }
+
+/// Number of links of a group whose class depends on the link at which a pin is where three or more of its links meet first: two links meet at no
+/// such pin, and groups of more are of higher class at any.
+const CLASS_OF_CHOICE: usize = 4;
 
 /// The bodies that share a point.
 #[derive(Clone, Debug)]
@@ -275,14 +279,24 @@ fn add_carriage(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
     let points = &mechanism.body(link).points;
     let at = *points.first().expect("a link given by lengths has a point");
     // Positions count from a point of the ground, so that no digits are lost where the origin is far away.
-    let ground = mechanism.body(GROUND).local.first().copied();
+    let ground = mechanism.origin.and_then(|point| mechanism.body(GROUND).local_of(point));
     // The carriage does not turn: from its guide, at 90°, to its axis are −90°.
     let slides = [(GROUND, carriage, ground, Vector::y(), -90.0), (carriage, link, None, Vector::x(), angle)];
     for (on, link, through, direction, turned) in slides {
         let through = through.unwrap_or_else(Point::origin);
         let guide = Guide::Local { through, direction };
-        let slider =
-            Slider { link, at, on, guide, counted_from: None, turned, drive: None, travel: None, is_contact: false };
+        let slider = Slider {
+            link,
+            at,
+            on,
+            guide,
+            counted_from: None,
+            turned,
+            drive: None,
+            travel: None,
+            is_contact: false,
+            given: None,
+        };
         mechanism.add_slider(slider);
     }
 }
@@ -328,8 +342,10 @@ fn points_in_order(link: &Link) -> Vec<usize> {
 /// A mechanism of the scene's points and bodies, without joints.
 fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError> {
     let links = links_in_order(scene);
-    let of_links = links.iter().flat_map(|(_, link)| points_in_order(link).into_iter().map(|index| &link.points[index]));
-    let names: IndexSet<&String> = in_order(&scene.ground).chain(of_links).chain(in_order(scene.known.keys())).collect();
+    let of_links =
+        links.iter().flat_map(|(_, link)| points_in_order(link).into_iter().map(|index| &link.points[index]));
+    let names: IndexSet<&String> =
+        in_order(&scene.ground).chain(of_links).chain(in_order(scene.known.keys())).collect();
     let given = |name: &str| scene.coordinates.get(name).map(|&place| Point::from(place));
     let mut mechanism = Mechanism {
         time: scene.units.time,
@@ -349,8 +365,9 @@ fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError>
         role,
         block: false,
     };
-    let ground_places = scene.ground.iter().filter_map(|name| given(name)).collect();
-    mechanism.bodies.push(body("ground", &mut scene.ground.iter(), Role::Ground, ground_places));
+    let ground_places = in_order(&scene.ground).filter_map(|name| given(name)).collect();
+    mechanism.bodies.push(body("ground", &mut in_order(&scene.ground), Role::Ground, ground_places));
+    mechanism.origin = scene.ground.first().and_then(|name| names.get_index_of(name)).map(PointId);
     let driven = LazyCell::new(|| places_from_drives(scene));
     for (name, link) in links {
         let role = role(scene, &mechanism, name, link)?;

@@ -101,7 +101,7 @@ impl Mechanism {
 
     /// Makes compound links: gives every body that a driven slider pushes from another the role of a pushed one.
     ///
-    /// Bodies of known motion come first as roots; among links of groups the first in the scene is the lead.
+    /// Bodies of known motion come first as roots; among links of groups the first by name is the lead.
     pub(super) fn join_driven(&mut self) {
         let all = self.body_ids();
         let (known, sought): (Vec<BodyId>, Vec<BodyId>) = all.partition(|&b| self.is_known(b));

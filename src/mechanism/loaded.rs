@@ -48,7 +48,8 @@ fn check_friction(scene: &Scene, mechanism: &Mechanism) -> Result<(), StructureE
                 ("pin", says::friction_of_contact(point), Some(says::no_friction_of_contact()))
             }
             RubbingJoint::Pin { point, fixed_in, .. } => {
-                let links: Vec<&str> = mechanism.holders_of_pin(point).filter(|b| !b.block).map(|b| b.name.as_str()).collect();
+                let links: Vec<&str> =
+                    mechanism.holders_of_pin(point).filter(|b| !b.block).map(|b| b.name.as_str()).collect();
                 match (mechanism.joints_at_pin(point).count(), fixed_in) {
                     (0, _) => ("pin", says::friction_no_joint(point), None),
                     (1, Some(_)) => ("fixed_in", says::pin_of_two(point), Some(says::leave_fixed_in_out())),

@@ -2,6 +2,12 @@
 //! order. Names have become indices, shared points revolute joints, lengths local coordinates. No position is computed
 //! here: a mechanism is the same in every position.
 //!
+//! # The order of the file says nothing
+//!
+//! Bodies, points and joints stand in the order of their names, so that no stage can decide anything by which of two the file names first: which
+//! group is solved first, at which link the joints of a pin are, which link leads a compound one, of which link modes are
+//! numbered. The first two points of a link are its axis, and the frame's first point is an origin: these the format says.
+//!
 //! # A driven slider leaves nothing to find between its two links
 //!
 //! They have one rotation and slide as the scene says, so to the structure, the loops and the positions they are one
@@ -65,17 +71,19 @@ pub struct Mechanism {
     pub time: TimeUnit,
     /// Whether positions are found from lengths or given by a drawing.
     pub given_by: GivenBy,
-    /// Names of the points, in order of appearance.
+    /// Names of the points: those of the frame, then those of the bodies in their order.
     pub points: Vec<String>,
     /// The given coordinates of each point in the fixed frame: of the frame's points, or of all points in a drawn
     /// configuration.
     pub given: Vec<Option<Point>>,
-    /// The ground first, then the links in scene order, a carrier for each point of given motion, a block for each pin
-    /// in a slot.
+    /// The ground first, then the links in the order of their names, a carrier for each point of given motion, a block for
+    /// each pin in a slot.
     pub bodies: Vec<Body>,
-    /// The sliders, in scene order.
+    /// The frame's first point in the scene: guides on it count from there unless they say from where, and moments on it.
+    pub origin: Option<PointId>,
+    /// The sliders, in the order of what slides.
     pub sliders: Vec<Slider>,
-    /// The joints between bodies; a pin through n bodies counts as n − 1 joints.
+    /// The joints between bodies; a pin through n bodies counts as n − 1 joints, all at one that is known first.
     pub joints: Vec<Joint>,
     /// The profiles that touch, which move as links or sliders among these do.
     pub contacts: Vec<Contact>,
@@ -116,7 +124,7 @@ pub struct Body {
     /// The link's name; `"ground"`; for a carrier or a block the name of its point; empty for the carriage of a
     /// [`Placing`].
     pub name: String,
-    /// Its points in scene order; its axis runs from the first to the second.
+    /// Its points; its axis runs from the first to the second, the others are in the order of their names.
     pub points: Vec<PointId>,
     /// Coordinates of `points` in the body's own frame: origin in the first point, x along the axis, unless the scene
     /// gives a shape. Empty in a drawn configuration.
@@ -209,6 +217,11 @@ impl Mechanism {
     #[must_use]
     pub fn body(&self, id: BodyId) -> &Body {
         &self.bodies[id.0]
+    }
+
+    /// The first point of a body in the scene.
+    pub(crate) fn first_point(&self, body: BodyId) -> Option<PointId> {
+        self.origin.filter(|_| body == GROUND).or_else(|| self.body(body).points.first().copied())
     }
 
     /// A point in the frame of a body; its origin for a point that the body does not have, and in a drawn configuration.

@@ -251,8 +251,7 @@ fn groups(links: usize, pins: usize, taken: &[Constraint], edges: &[Edge]) -> Ve
         taken.iter().flat_map(needed).filter(|(to, from)| *from != known && to != from)
     };
 
-    let mut dependence =
-        DiGraph::<(), ()>::from_edges(between_bodies().map(|(to, from)| (to as u32, from as u32)));
+    let mut dependence = DiGraph::<(), ()>::from_edges(between_bodies().map(|(to, from)| (to as u32, from as u32)));
     while dependence.node_count() < known {
         dependence.add_node(());
     }

@@ -2,6 +2,9 @@ use crate::geometry::{Placement, Point, Turn, Vector, cross, degrees_of, quarter
 use crate::mechanism::{Body, BodyId, JointId, Mechanism, PointId, Role, Slider, SliderId};
 use std::rc::Rc;
 
+/// Angles so little above −180°, in degrees, count as 180°: more than rounding leaves of it.
+const AT_THE_CUT: f64 = 1e-9;
+
 /// By body: the placement of its frame in the fixed frame; none while it is unknown.
 ///
 /// Copies share what stood when [`Frames::settle`] was called last: a group's few bodies cost nothing else.
@@ -68,9 +71,13 @@ impl Frames {
         bodies.iter().for_each(|body| settled[body.0] = None);
     }
 
-    /// A body's angle from +x in degrees, with its whole turns where they are counted.
+    /// A body's angle from +x in degrees, with its whole turns where they are counted; else from −180 to 180. At the ends, where rounding
+    /// would decide, it is 180: what a wheel has turned by a ratio of teeth differs for both.
     pub(super) fn degrees(&self, body: BodyId) -> Option<f64> {
-        let of_frame = || Some(degrees_of(self.of(body)?.rotation * Vector::x()));
+        let of_frame = || {
+            let degrees = degrees_of(self.of(body)?.rotation * Vector::x());
+            Some(if degrees < -180.0 + AT_THE_CUT { degrees + 360.0 } else { degrees })
+        };
         self.counted(body).or_else(of_frame)
     }
 

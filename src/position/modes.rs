@@ -281,7 +281,7 @@ fn same_turns(mechanism: &Mechanism, group: &Group, a: &Assembled, b: &Assembled
 struct Lever {
     /// The lever and its blocks.
     links: Vec<BodyId>,
-    /// The sliders on the lever, in scene order.
+    /// The sliders on the lever.
     sliders: Vec<SliderId>,
 }
 

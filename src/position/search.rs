@@ -200,10 +200,14 @@ impl Rough {
         let points = points.filter_map(|(name, &p)| Some((mechanism.point(name)?, Point::from(p))));
         let angles = near.angles_deg.iter();
         let angles = angles.filter_map(|(name, &angle)| Some((mechanism.link(name)?, angle)));
-        Rough {
+        let mut rough = Rough {
             points: points.filter(|(p, _)| of_group(*p)).collect(),
             angles: angles.filter(|(link, _)| member(*link)).collect(),
-        }
+        };
+        // Sums of distances are rounded alike in whatever order they stand in the file, so that two assemblies equally near do not change places.
+        rough.points.sort_by_key(|(point, _)| *point);
+        rough.angles.sort_by_key(|(link, _)| *link);
+        rough
     }
 
     /// The rough place of a point.

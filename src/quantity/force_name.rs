@@ -136,7 +136,7 @@ impl LoadOf {
             }
         }
         for joint in rubbed_joints(mechanism) {
-            for body in mechanism.joint(joint).bodies.into_iter().filter(|body| *body != GROUND) {
+            for body in mechanism.rubbing_bodies(joint).into_iter().filter(|body| *body != GROUND) {
                 add(Source::Friction(joint), Some(body));
             }
         }

@@ -68,6 +68,13 @@ impl Builder {
         self
     }
 
+    /// The same at a pin that joins three or more links and is fixed in one of them, or in `"ground"`: the others turn on it.
+    pub fn friction_at_pin_fixed_in(mut self, link: &str, pin: &str, coefficient: f64, radius: f64) -> Builder {
+        let friction = Object::default().with("pin", pin).with("coefficient", &coefficient).with("radius", &radius);
+        self.file.push("friction", friction.with("fixed_in", link).in_order(&["friction", ""]));
+        self
+    }
+
     /// Adds Coulomb friction of this coefficient in the guide of a slider, called as in results: `"3/ground"`.
     pub fn friction_in_guide(mut self, guide: &str, coefficient: f64) -> Builder {
         let friction = Object::default().with("guide", guide).with("coefficient", &coefficient);

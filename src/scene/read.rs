@@ -104,7 +104,8 @@ write_keys!(SceneFile {
     hints
 });
 
-/// A mechanism as its scene file describes it: checked, in the file's order and units, angles in degrees.
+/// A mechanism as its scene file describes it: checked, in the file's order and units, angles in degrees. What is computed
+/// does not depend on that order.
 ///
 /// Coordinates are in the fixed frame (x right, y up) and in `units.length`, unless the field says otherwise.
 #[derive(Debug, Clone, PartialEq)]

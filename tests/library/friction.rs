@@ -71,6 +71,79 @@ fn a_rod_carries_its_force_along_the_common_tangent_of_its_circles() {
     is_about(quantity(&scene, "R(B,2).x"), 1000.0, "R(B,2).x");
 }
 
+/// A toggle press without friction but at the pin of its three links.
+fn toggle(angle: f64, fixed_in: &str) -> Value {
+    let text = support::files::read("templates/toggle-press.json");
+    let mut scene: Value = serde_json::from_str(&text).expect("a scene is JSON");
+    scene["units"]["force"] = json!("N");
+    scene["links"]["1"]["drive"]["angle"] = json!(angle);
+    scene["forces"] = json!([{ "name": "P", "on": "5", "at": "E", "force": [0, 1000] }]);
+    scene["friction"] = json!([{ "pin": "C", "coefficient": 0.3, "radius": 12, "fixed_in": fixed_in }]);
+    scene
+}
+
+/// Each link k is free but for the force R_k of the pin and the couple of its friction, about its other end. The pin is fixed in one link, in which the
+/// others turn: their couples are ρ|R_k| against their turning, and that link has them reversed. Links that turn on each other in pairs, as if the pin
+/// were cut, would have others. Solved again and again with the couples of the time before.
+#[test]
+fn a_pin_of_three_links_rubs_on_the_link_in_which_it_is_fixed() {
+    let rho = 12.0 * libm::sin(libm::atan(0.3));
+    let mut torques = Vec::new();
+    for (angle, fixed) in [60.0, 200.0].into_iter().flat_map(|angle| [0, 1, 2].map(|fixed| (angle, fixed))) {
+        let names = ["2", "3", "4"];
+        let solution = solved(&toggle(angle, names[fixed]).to_string()).expect("it moves");
+        let place = |name: &str| solution.pose.point(solution.mechanism.point(name).expect("a point"));
+        let number = |name: &str| solution.quantity(name).expect("there is one").as_number();
+        let arms = ["B", "D", "E"].map(|end| place("C") - place(end));
+        let omega = names.map(|link| number(&format!("omega({link})")));
+        let mut forces = [nalgebra::Vector2::zeros(); 3];
+        for _ in 0..200 {
+            let mut couples = [0.0; 3];
+            for link in (0..3).filter(|link| *link != fixed) {
+                couples[link] = -rho * forces[link].norm() * (omega[link] - omega[fixed]).signum();
+                couples[fixed] -= couples[link];
+            }
+            // Moments about the other ends, the ram along its guide, and the pin.
+            let mut matrix = nalgebra::DMatrix::<f64>::zeros(6, 6);
+            let mut right = nalgebra::DVector::<f64>::zeros(6);
+            for link in 0..3 {
+                (matrix[(link, 2 * link)], matrix[(link, 2 * link + 1)]) = (-arms[link].y, arms[link].x);
+                right[link] = -couples[link];
+                (matrix[(4, 2 * link)], matrix[(5, 2 * link + 1)]) = (1.0, 1.0);
+            }
+            (matrix[(3, 5)], right[3]) = (1.0, -1000.0);
+            let found = matrix.lu().solve(&right).expect("it carries");
+            forces = [0, 1, 2].map(|link| nalgebra::Vector2::new(found[2 * link], found[2 * link + 1]));
+        }
+        let crank = place("B") - place("A");
+        let torque = -(crank.x * forces[0].y - crank.y * forces[0].x);
+        for (link, name) in names.iter().enumerate() {
+            is_about(number(&format!("R(C,{name}).x")), forces[link].x, "R(C)");
+        }
+        is_about(number("T(1)"), torque, "the torque");
+        let agreement = solution.forces().expect("there are some").agreement();
+        assert!(agreement.difference <= agreement.allowed, "{agreement:?}");
+        torques.push(torque);
+    }
+    let apart = torques.windows(2).take(2).map(|pair| (pair[0] - pair[1]).abs());
+    assert!(apart.fold(f64::INFINITY, f64::min) > 10.0, "the link makes a difference: {torques:?}");
+}
+
+/// Whatever is fixed there is told, and a pin of two links has no choice.
+#[test]
+fn a_pin_of_three_links_asks_where_it_is_fixed() {
+    let error = |scene: &Value| solved(&scene.to_string()).err().map(|error| error.to_string()).unwrap_or_default();
+    let mut asked = toggle(60.0, "2");
+    asked["friction"][0].as_object_mut().expect("friction").remove("fixed_in");
+    let told = error(&asked);
+    assert!(told.contains("2, 3, 4") && told.contains(r#""fixed_in": "2""#), "{told}");
+    assert!(error(&toggle(60.0, "5")).contains("link 5 has no point C"), "{}", error(&toggle(60.0, "5")));
+    assert!(error(&toggle(60.0, "ground")).contains("ground"), "{}", error(&toggle(60.0, "ground")));
+    let mut two = toggle(60.0, "1");
+    two["friction"][0]["pin"] = json!("B");
+    assert!(error(&two).contains("pin B joins two links"), "{}", error(&two));
+}
+
 /// A pencil that errs in directions alone, by d at most: the load Q and the friction F = μN are laid off along the guide, the guide is drawn and its normal, and the rod's
 /// direction is taken from the scheme. With t = tan β these change N = (Q + F) t by Q, F, N t twice, and (Q + F)(1 + t²), each times its error. What N is wrong by
 /// changes F, so N once more by k = μt/(1 − μt) of it, where F is from the same drawing; it adds that with an error of its own, where F is from an earlier one. Half and
@@ -156,6 +229,17 @@ fn names_follow_what_is_renamed_or_removed() {
         let name = name.as_str().expect("a name");
         assert!(solution.quantity(name).expect(name).as_number() != 0.0, "{name}");
     }
+    // A pin that joins two links alone is no longer said to be fixed in one of them.
+    let text = toggle(60.0, "3").to_string();
+    for (gone, left) in [("4", json!(null)), ("3", json!(null))] {
+        let dropped =
+            apply(&text, &[Edit::DropLink { drop_link: gone.to_owned() }]).unwrap_or_else(|error| panic!("{error}"));
+        let dropped: Value = serde_json::from_str(&dropped).expect("JSON");
+        assert_eq!(dropped["friction"][0]["pin"], "C", "{dropped}");
+        assert_eq!(dropped["friction"][0]["fixed_in"], left, "{dropped}");
+    }
+    let renamed = apply(&text, &[rename(Named::Link, "3", "7")]).unwrap_or_else(|error| panic!("{error}"));
+    assert!(renamed.contains(r#""fixed_in":"7""#), "{renamed}");
     let without: Value = edited(&[Edit::DropPoint { drop_point: "B".to_owned() }]);
     assert!(!without.to_string().contains("\"pin\""), "{without}");
 }

@@ -205,6 +205,24 @@ fn many_teeth_have_close_bounds() {
 }
 
 /// Wheels one after the other on a driven arm: each turns from its arm z₁/z₂ times as much as the one before, the other way, from its phase.
+/// The coupler of a parallelogram stands at 180° whatever rounding makes of it, so that the wheel which it drives stands still against the ground as
+/// Willis' formula says with 180°, and not a third of a turn away: 30 θ₂ + 20 θ₅ − 50 θ₁ = 0.
+#[test]
+fn an_angle_of_half_a_turn_has_one_sense() {
+    for angle in (5..175).step_by(5).map(f64::from) {
+        let scene = json!({ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [100, 0] },
+            "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 41 }, "drive": { "angle": angle, "omega": 1 } },
+                       "2": { "points": ["C", "B"], "lengths": { "BC": 100 } },
+                       "3": { "points": ["D", "C"], "lengths": { "CD": 41 } },
+                       "5": { "points": ["A", "E"], "lengths": { "AE": 10 } } },
+            "gears": [{ "mesh": ["2", "5"], "teeth": [30, 20], "on": "1" }],
+            "near": { "C": [100.0 + 41.0 * libm::cos(angle.to_radians()), 41.0 * libm::sin(angle.to_radians())] } });
+        let found = solution(&scene).quantity("angle(5)").expect("an angle").as_number();
+        let expected = (50.0 * angle - 30.0 * 180.0) / 20.0;
+        assert!(apart(found, expected) < 1e-9, "{angle}: {found}, not {expected}");
+    }
+}
+
 #[test]
 fn trains_count_whole_turns() {
     for seed in 0..COUNT {

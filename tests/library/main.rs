@@ -25,7 +25,7 @@
 //! - Drives: `driven_sliders` holds cylinders and telescopes to independent truth, from lengths and as drawn, and
 //!   their plans to closing; `driven_cycles` moves each of their drives; `cycle` holds paths to closed forms, random
 //!   mechanisms and finite differences.
-//! - What may not matter: `invariants` turns, mirrors, scales, shifts and renames random groups; `properties` does so
+//! - What may not matter: `orders` lists links, points and joints of all scenes in other orders; `invariants` turns, mirrors, scales, shifts and renames random groups; `properties` does so
 //!   with whole mechanisms, templates with other numbers, and holds their rates to differences and their plans to the
 //!   links' images.
 //! - Cams: `cams` holds contacts of profiles to independent digits and to closed forms over whole turns.
@@ -116,6 +116,7 @@ mod marks;
 mod messages;
 mod named_forces;
 mod numbers;
+mod orders;
 mod paper_facts;
 mod pencil;
 mod photographs;

@@ -333,7 +333,7 @@ fn racks_belts_loads_and_friction_are_as_in_their_file() {
         .build()
         .expect("a scene");
     let friction = &loaded.loads.as_ref().expect("loads").friction;
-    let pin = RubbingJoint::Pin { point: "B".to_owned(), radius: 12.0 };
+    let pin = RubbingJoint::Pin { point: "B".to_owned(), radius: 12.0, fixed_in: None };
     assert_eq!(friction[0], Friction { joint: pin, grip: Grip::Coefficient(0.1) });
     assert_eq!(friction[1].joint, RubbingJoint::Guide("3/ground".to_owned()));
 }

@@ -13,6 +13,7 @@ pub mod images;
 pub mod ink;
 pub mod later;
 pub mod legible;
+pub mod orders;
 pub mod outputs;
 pub mod photographs;
 pub mod planted;

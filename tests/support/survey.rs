@@ -68,6 +68,10 @@ pub const WHOLE_POSITIONS: By<u32> = By(1, 2, 60);
 
 /// Degrees between two positions of `geared_errors`.
 pub const GEARED_STEP: By<usize> = By(61, 19, 1);
+/// Orders of each scene of `orders`, of the scenes every so many-th there, and of their figures.
+pub const ORDERS: By<usize> = By(2, 5, 25);
+pub const ORDERED_SCENES: By<usize> = By(4, 1, 1);
+pub const ORDERED_FIGURES: By<usize> = By(12, 4, 1);
 
 /// Mechanisms of `free_bodies`.
 pub const FREE_BODIES: By<u64> = By(30, 300, 2000);

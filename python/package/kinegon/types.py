@@ -321,6 +321,8 @@ class Friction(TypedDict):
     """The angle of friction in degrees, in place of the coefficient."""
     radius: NotRequired[float]
     """The radius of the pin's journal, in the scene's unit of length; of a pin alone."""
+    fixed_in: NotRequired[str]
+    """The link in which the pin is fixed, or "ground"; of a pin through three or more links, which all turn on it, alone."""
     note: NotRequired[object]
     """For people; ignored"""
 

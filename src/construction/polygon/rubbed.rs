@@ -41,7 +41,7 @@ impl Construction {
     /// The joints that rub and whose forces the polygons find.
     pub(crate) fn rubbed(&self) -> Vec<Rubbed> {
         let Some(plan) = self.forces.as_deref() else { return Vec::new() };
-        let rubbed = plan.rubbing.iter().filter_map(|joint| {
+        let rubbed = plan.rubbing.iter().filter(|joint| joint.is_alone).filter_map(|joint| {
             let own = |load: &usize| plan.loads[*load].source == Source::Friction(joint.joint);
             let loads: Vec<usize> = (0..plan.loads.len()).filter(own).collect();
             let in_plan = loads.iter().flat_map(|load| plan.numbers.loads[*load]).flatten();

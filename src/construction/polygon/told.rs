@@ -74,9 +74,8 @@ impl Teller<'_> {
             Source::Given(index) => loads.map_or_else(String::new, |loads| display(&loads.loads[index].name)),
             Source::Spring(index) => loads.map_or_else(String::new, |loads| display(&loads.springs[index].name)),
             Source::Friction(joint) => {
-                let joint = self.mechanism.joint(joint);
-                let by = joint.bodies.into_iter().find(|by| *by != body).unwrap_or(body);
-                let letter = if joint.pin.is_some() { "M" } else { "F" };
+                let by = self.mechanism.rubbing_bodies(joint).into_iter().find(|by| *by != body).unwrap_or(body);
+                let letter = if self.mechanism.joint(joint).pin.is_some() { "M" } else { "F" };
                 format!("{letter}^{{f}}{}", self.pair(by, body))
             }
         }

@@ -178,7 +178,8 @@ impl Change<'_> {
         for (index, slider) in solved.scene.sliders.iter().enumerate() {
             let slides = slides(slider, name);
             let is_through = is_through(solved, slider, name);
-            let turns = self.levers.iter().any(|lever| lever.slider.0 == index);
+            let id = solved.mechanism.given_slider(index);
+            let turns = self.levers.iter().any(|lever| Some(lever.slider) == id);
             if (slides || is_through) && !turns {
                 self.add_guide(index, slider, slides, is_through);
             }
@@ -186,7 +187,8 @@ impl Change<'_> {
     }
 
     fn add_guide(&mut self, index: usize, slider: &Slider, slides: bool, is_through: bool) {
-        let given = &self.solved.mechanism.sliders[index];
+        let Some(id) = self.solved.mechanism.given_slider(index) else { return };
+        let given = self.solved.mechanism.slider(id);
         let placement = match given.on {
             GROUND => Some(Placement::identity()),
             link => self.solved.placement(link),
@@ -231,7 +233,8 @@ impl Change<'_> {
         let solved = self.solved;
         for (index, slider) in solved.scene.sliders.iter().enumerate() {
             let number = index.to_string();
-            let guide = degrees_of(solved.pose.guides[index]);
+            let Some(id) = solved.mechanism.given_slider(index) else { continue };
+            let guide = degrees_of(solved.pose.guide(id));
             if slider.on == On::Link(link.to_owned()) && !matches!(slider.along, Along::Points(..)) {
                 let of_face = contact_of(solved, index).map(|contact| contact.to_string());
                 let (list, entry) = of_face.as_ref().map_or(("sliders", &number), |contact| ("contacts", contact));

@@ -35,7 +35,10 @@ impl Held {
         let mut held = Held::default();
         let mut notes = Vec::new();
         let pinned = pins.lengths.iter().filter_map(|pin| pinned(solved, point, pin));
-        let sliders = || (0..).map(SliderId).zip(&solved.scene.sliders);
+        let sliders = || {
+            let given = |id: SliderId| Some((id, solved.scene.sliders.get(solved.mechanism.slider(id).given?)?));
+            solved.mechanism.slider_ids().filter_map(given)
+        };
         held.levers = sliders().filter_map(|(id, slider)| Lever::of(solved, point, id, slider, pins)).collect();
         let is_fixed = |id: SliderId| held.levers.iter().all(|lever| lever.slider != id);
         let fixed = sliders().filter(|(id, _)| is_fixed(*id)).collect::<Vec<_>>();
@@ -84,7 +87,7 @@ fn guided(solved: &Solved, point: PointId, id: SliderId, slider: &Slider) -> Opt
     let slides = slides(slider, name);
     let is_end = matches!(&slider.along, Along::Points(a, b) if a == name || b == name);
     // The radius changes in place of a guide along a flat profile.
-    if contact_of(solved, id.0).is_some() && solved.scene.given_by == GivenBy::Lengths && slides {
+    if solved.mechanism.slider(id).is_contact && solved.scene.given_by == GivenBy::Lengths && slides {
         return None;
     }
     let is_held = match solved.scene.given_by {
@@ -96,7 +99,7 @@ fn guided(solved: &Solved, point: PointId, id: SliderId, slider: &Slider) -> Opt
         }
     };
     let along: Vector = *solved.pose.guides.get(id.0)?;
-    let is_rack = |rack: &RackOf| rack.sliders.last() == Some(&id.0);
+    let is_rack = |rack: &RackOf| rack.sliders.last().copied() == solved.mechanism.slider(id).given;
     if slides && !is_held && solved.scene.gears.iter().filter_map(|gear| gear.rack.as_ref()).any(is_rack) {
         // Its wheel says where along the guide it is.
         return Some((Rule::Line(quarter_turn(along)), says::held_rack(name)));

@@ -173,7 +173,7 @@ fn contact(mechanism: &Mechanism, given: &scene::Contact) -> Option<Contact> {
             radii: *radii,
         },
         Equivalent::Slider { index, center, radius } => {
-            Touch::Face { slider: SliderId(*index), center: mechanism.point(center)?, radius: *radius }
+            Touch::Face { slider: mechanism.given_slider(*index)?, center: mechanism.point(center)?, radius: *radius }
         }
     };
     Some(Contact { bodies, touch, has_roller: given.has_roller, is_circular: given.is_circular })

@@ -87,11 +87,10 @@ fn of_rack(
     joint: Joint,
 ) -> Option<Joint> {
     let center = mechanism.point(&gear.centers[given.wheel])?;
-    let last = SliderId(*given.sliders.last()?);
+    let last = mechanism.given_slider(*given.sliders.last()?)?;
     let side = side(mechanism, given, carrier, center)?;
     let along = guide_in_place(mechanism, last);
-    let slides = given.sliders.iter().map(|&index| {
-        let id = SliderId(index);
+    let slides = given.sliders.iter().filter_map(|&index| mechanism.given_slider(index)).map(|id| {
         let slider = mechanism.slider(id);
         // As the carrier goes on along a guide, the rack falls back.
         let onwards = if slider.link == carrier { -side } else { side };
@@ -116,7 +115,9 @@ fn of_rack(
 /// +1 where the guide of a rack, or of the carrier along it, lies to the right of the wheel's centre, looking along it, or passes through the
 /// centre; −1 to the left.
 fn side(mechanism: &Mechanism, given: &scene::RackOf, carrier: BodyId, center: PointId) -> Option<f64> {
-    let last = SliderId(*given.sliders.last()?);
+    let ids: SmallVec<[SliderId; 2]> =
+        given.sliders.iter().filter_map(|&index| mechanism.given_slider(index)).collect();
+    let last = *ids.last()?;
     let slider = mechanism.slider(last);
     let off = match mechanism.given_by {
         GivenBy::Drawing => {
@@ -131,10 +132,10 @@ fn side(mechanism: &Mechanism, given: &scene::RackOf, carrier: BodyId, center: P
                 let slider = mechanism.slider(id);
                 Some(slider.line().0 + slider.turn() * (local(carrier)? - mechanism.local(carrier, slider.at)))
             };
-            match *given.sliders.as_slice() {
-                [only] if slider.link == carrier => cross(along, carried(SliderId(only))? - through),
+            match *ids.as_slice() {
+                [only] if slider.link == carrier => cross(along, carried(only)? - through),
                 [_] => cross(along, local(carrier)? - through),
-                [first, ..] => cross(along, carried(SliderId(first))? - through),
+                [first, ..] => cross(along, carried(first)? - through),
                 [] => return None,
             }
         }

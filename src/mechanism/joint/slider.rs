@@ -4,7 +4,7 @@ use super::{AngularConstraint, Joint, Mark};
 use crate::geometry::{Point, Turn, Vector, complex_product, direction_of_degrees, quarter_turn, turn_of_degrees};
 use crate::mechanism::shape::direction;
 use crate::mechanism::{Body, BodyId, GROUND, JointId, Mechanism, PointId, Role, SliderId};
-use crate::scene::{self, Along, At, Equivalent, GivenBy, On, Scene, SliderDrive, SlidingName};
+use crate::scene::{self, Along, At, Equivalent, GivenBy, Scene, SliderDrive, SlidingName};
 use crate::sheet::Order;
 use crate::words::{Notation, SlidePart, SliderNames, Wording, under};
 use smallvec::smallvec;
@@ -31,6 +31,8 @@ pub struct Slider {
     pub travel: Option<[f64; 2]>,
     /// Whether it is the pin of a contact with a flat profile, which has no slot of its own.
     pub is_contact: bool,
+    /// Its index among the sliders of the scene; none in a [`Placing`](super::super::Placing)'s carriage.
+    pub given: Option<usize>,
 }
 
 /// A straight guide.
@@ -132,6 +134,11 @@ impl Mechanism {
         self.slider_ids().filter_map(off).max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
+    /// The slider of that index in the scene.
+    pub(crate) fn given_slider(&self, index: usize) -> Option<SliderId> {
+        self.sliders.iter().position(|slider| slider.given == Some(index)).map(SliderId)
+    }
+
     /// The joint of a slider.
     pub(crate) fn slider_joint(&self, id: SliderId) -> JointId {
         let index = self.joints.iter().position(|joint| joint.slider == Some(id));
@@ -225,23 +232,31 @@ impl Mechanism {
     }
 }
 
-/// Adds the sliders of a scene.
+/// Adds the sliders of a scene in the order of what slides and on what, so that theirs in the file decides nothing.
 pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
     let is_contact = |index: usize| {
         let mut contacts = scene.contacts.iter();
         contacts.any(|contact| matches!(contact.equivalent, Equivalent::Slider { index: own, .. } if own == index))
     };
-    let blocks = add_blocks(scene, mechanism);
-    for (index, given) in scene.sliders.iter().enumerate() {
-        let on = match &given.on {
-            On::Ground => GROUND,
-            On::Link(name) => mechanism.link(name).expect("checked by the scene"),
-        };
-        let (link, at) = match (&given.link, &given.at, &given.pin) {
-            (Some(link), Some(at), _) => mechanism.link(link).zip(mechanism.point(at)),
-            _ => blocks[index],
-        }
-        .expect("checked by the scene");
+    let on =
+        |given: &scene::Slider, mechanism: &Mechanism| mechanism.body_named(&given.on).expect("checked by the scene");
+    let pinned = |(index, given): (usize, &scene::Slider)| {
+        Some((mechanism.point(given.pin.as_ref()?)?, on(given, mechanism), index))
+    };
+    let mut pinned: Vec<(PointId, BodyId, usize)> = scene.sliders.iter().enumerate().filter_map(pinned).collect();
+    pinned.sort_unstable();
+    let linked = |(index, given): (usize, &scene::Slider)| {
+        let link = mechanism.link(given.link.as_ref()?)?;
+        Some((link, on(given, mechanism), mechanism.point(given.at.as_ref()?)?, index))
+    };
+    let mut sliding: Vec<(BodyId, BodyId, PointId, usize)> =
+        scene.sliders.iter().enumerate().filter_map(linked).collect();
+    sliding.sort_unstable();
+    for (pin, on, index) in pinned {
+        sliding.push((add_block(mechanism, pin), on, pin, index));
+    }
+    for (link, on, at, index) in sliding {
+        let given = &scene.sliders[index];
         let counted_from = given.counted_from(None).and_then(|point| mechanism.point(point));
         let guide = guide(mechanism, given, on);
         mechanism.add_slider(Slider {
@@ -254,26 +269,9 @@ pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
             drive: given.drive,
             travel: given.travel,
             is_contact: is_contact(index),
+            given: Some(index),
         });
     }
-    let Mechanism { joints, sliders, .. } = mechanism;
-    let ends = |joint: &Joint| joint.slider.map(|SliderId(id)| (sliders[id].on, sliders[id].link, sliders[id].at));
-    joints.sort_by_key(ends);
-}
-
-/// Adds the blocks of pins in slots, in an order that is not the file's; by slider its block.
-fn add_blocks(scene: &Scene, mechanism: &mut Mechanism) -> Vec<Option<(BodyId, PointId)>> {
-    let pinned = |(index, slider): (usize, &scene::Slider)| {
-        let pin = mechanism.point(slider.pin.as_ref()?)?;
-        Some((pin, mechanism.body_named(&slider.on), index))
-    };
-    let mut pinned: Vec<(PointId, Option<BodyId>, usize)> = scene.sliders.iter().enumerate().filter_map(pinned).collect();
-    pinned.sort_unstable();
-    let mut blocks = vec![None; scene.sliders.len()];
-    for (pin, _, index) in pinned {
-        blocks[index] = Some((add_block(mechanism, pin), pin));
-    }
-    blocks
 }
 
 /// Adds the block of a pin in a slot: a body with that one point.
@@ -309,7 +307,7 @@ fn guide(mechanism: &Mechanism, slider: &scene::Slider, on: BodyId) -> Guide {
         };
     }
     let local = |name: &String| body.local_of(id(name));
-    let first = body.points.first().map(|point| &mechanism.points[point.0]);
+    let first = mechanism.first_point(on).map(|point| &mechanism.points[point.0]);
     let (through, direction) = guide_line(slider, first, local);
     Guide::Local { through: through.unwrap_or_else(Point::origin), direction: direction.unwrap_or_else(Vector::x) }
 }

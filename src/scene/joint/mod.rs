@@ -71,7 +71,7 @@ pub(crate) fn meaning(path: &[&str], is_key: bool) -> Option<Meaning> {
         (["ground", _] | ["links", _, _] | ["links", _, "points", _], false) => Meaning::Point,
         (["links", _, "motion", "at"] | ["figure", "trace" | "velocities" | "curvature", _], false) => Meaning::Point,
         (["forces", _, "at"] | ["springs", _, "between", _, "1"] | ["friction", _, "pin"], false) => Meaning::Point,
-        (["forces", _, "on"] | ["springs", _, "between", _, "0"], false) => Meaning::Link,
+        (["forces", _, "on"] | ["springs", _, "between", _, "0"] | ["friction", _, "fixed_in"], false) => Meaning::Link,
         (["figure", "centrodes" | "inflection", _], false) => Meaning::Link,
         (["links"], true) => Meaning::Link,
         (["near"], true) => Meaning::PointOrAngle,
@@ -101,7 +101,7 @@ pub(crate) fn key_order(path: &[&str]) -> Vec<&'static str> {
         ["forces", _] => vec!["name", "on", "at", "force", "couple", "turns", "over"],
         ["forces", _, "over"] => vec!["of", "table"],
         ["springs", _] => vec!["name", "between", "rate", "length"],
-        ["friction", _] => vec!["pin", "guide", "coefficient", "angle", "radius"],
+        ["friction", _] => vec!["pin", "guide", "coefficient", "angle", "radius", "fixed_in"],
         [.., "drive"] => vec!["angle", "omega", "rpm", "alpha", "position", "speed", "acceleration"],
         [list, _] => {
             JointKind::of_list(list).map_or(Vec::new(), |kind| kind.keys.iter().map(|(key, _)| *key).collect())

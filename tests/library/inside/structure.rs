@@ -65,8 +65,10 @@ fn watt_driven_at_the_far_dyad_follows_dependence_not_numbers() {
     let (links, joints) = with_known(&WATT, 6, &[4, 5]);
     assert_eq!(links_of(links, &joints), [[0, 1], [2, 3]]);
     // The same with the numbers of the links turned round.
-    let turned: Vec<Edge> =
-        joints.iter().map(|edge| Edge { ends: edge.ends.map(|end| end.map(|link| 3 - link)), ..*edge }).collect();
+    let turned: Vec<Edge> = joints
+        .iter()
+        .map(|edge| Edge { ends: edge.ends.map(|end| end.map(|link| 3 - link)), ..edge.clone() })
+        .collect();
     assert_eq!(links_of(links, &turned), [[2, 3], [0, 1]]);
 }
 
@@ -193,7 +195,11 @@ fn two_hundred_dyads_in_reverse_come_in_order() {
     }
     let expected: Vec<Component> = (0..count)
         .rev()
-        .map(|dyad| Component { links: vec![2 * dyad, 2 * dyad + 1], joints: (3 * dyad..3 * dyad + 3).collect() })
+        .map(|dyad| Component {
+            links: vec![2 * dyad, 2 * dyad + 1],
+            pins: vec![],
+            joints: (3 * dyad..3 * dyad + 3).collect(),
+        })
         .collect();
     assert_eq!(groups_of(2 * count, &joints), expected);
 }
@@ -271,6 +277,110 @@ fn check_groups(edges: &[Edge], groups: &[Component]) {
         assert_eq!(supplied(&group.joints), 3 * group.links.len());
         solved.extend(all);
     }
+}
+
+/// The rank of the velocities' equations with joints at random places, modulo a prime: links have (ω, x, y), pins (x, y).
+fn rank_of_velocities(links: usize, pins: usize, edges: &[Edge], mut random: impl FnMut() -> u64) -> usize {
+    const PRIME: u64 = 2_147_483_647;
+    let places: Vec<[u64; 2]> = (0..pins + edges.len()).map(|_| [random() % PRIME, random() % PRIME]).collect();
+    let mut rows = Vec::new();
+    for (joint, edge) in edges.iter().enumerate() {
+        let pin = edge.ends.iter().flatten().find_map(|body| body.checked_sub(links));
+        let [x, y] = places[pin.unwrap_or(pins + joint)];
+        for axis in 0..2 {
+            let mut row = vec![0; 3 * links + 2 * pins];
+            for (end, sign) in edge.ends.iter().zip([1, PRIME - 1]) {
+                match *end {
+                    Some(link) if link < links => {
+                        row[3 * link] = (row[3 * link] + sign * [PRIME - y, x][axis]) % PRIME;
+                        row[3 * link + 1 + axis] = (row[3 * link + 1 + axis] + sign) % PRIME;
+                    }
+                    Some(pin) => row[3 * links + 2 * (pin - links) + axis] = sign,
+                    None => {}
+                }
+            }
+            rows.push(row);
+        }
+    }
+    let power = |mut base: u64, mut exponent: u64| {
+        let mut product = 1;
+        while exponent > 0 {
+            if exponent % 2 == 1 {
+                product = product * base % PRIME;
+            }
+            (base, exponent) = (base * base % PRIME, exponent / 2);
+        }
+        product
+    };
+    let mut rank = 0;
+    for column in 0..3 * links + 2 * pins {
+        let Some(pivot) = (rank..rows.len()).find(|&row| rows[row][column] != 0) else { continue };
+        rows.swap(rank, pivot);
+        let inverse = power(rows[rank][column], PRIME - 2);
+        for row in rank + 1..rows.len() {
+            let factor = rows[row][column] * inverse % PRIME;
+            for other in column..3 * links + 2 * pins {
+                rows[row][other] = (rows[row][other] + (PRIME - factor) * rows[rank][other]) % PRIME;
+            }
+        }
+        rank += 1;
+    }
+    rank
+}
+
+/// Pins through three and more links: freedoms and surplus constraints are those of the velocities, and the groups are the same in every order.
+#[test]
+fn pins_of_several_links_are_points() {
+    let mut state = 7_u64;
+    let mut random = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state >> 33
+    };
+    let (mut grouped, mut misfits) = (0, 0);
+    for _ in 0..3000 {
+        let links = 4 + random() as usize % 5;
+        let pins = 1 + random() as usize % 2;
+        let mut joints = Vec::new();
+        for pin in 0..pins {
+            let mut bodies: Vec<usize> = (0..links).collect();
+            for last in (1..links).rev() {
+                bodies.swap(last, random() as usize % (last + 1));
+            }
+            bodies.truncate(3 + random() as usize % 2);
+            joints.extend(bodies.iter().map(|&body| Edge::pin([Some(body), Some(links + pin)])));
+        }
+        while 2 * joints.len() < 3 * links + 2 * pins {
+            let first = random() as usize % links;
+            let second = (first + 1 + random() as usize % (links + 1)) % (links + 2);
+            joints.push(Edge::pin([Some(first), Some(second).filter(|&link| link < links)]));
+        }
+        let rank = rank_of_velocities(links, pins, &joints, &mut random);
+        let free = 3 * links + 2 * pins - rank;
+        let spare = 2 * joints.len() - rank;
+        let found = structure(links, pins, &joints);
+        match &found {
+            Structure::Groups(groups) => {
+                grouped += 1;
+                assert_eq!([free, spare], [0, 0], "{joints:?}");
+                for group in groups {
+                    let supplied = 2 * group.joints.len();
+                    assert_eq!(supplied, 3 * group.links.len() + 2 * group.pins.len(), "{group:?} of {joints:?}");
+                }
+                joints.reverse();
+                let order =
+                    |groups: &[Component]| groups.iter().map(|g| (g.links.clone(), g.pins.clone())).collect::<Vec<_>>();
+                match structure(links, pins, &joints) {
+                    Structure::Groups(others) => assert_eq!(order(groups), order(&others), "{joints:?}"),
+                    misfit @ Structure::Misfit { .. } => panic!("{misfit:?}"),
+                }
+            }
+            Structure::Misfit { missing, surplus, .. } => {
+                misfits += 1;
+                assert_eq!([free, spare], [*missing, *surplus], "{joints:?}");
+            }
+        }
+    }
+    assert!(grouped > 200 && misfits > 200, "{grouped} {misfits}");
 }
 
 #[test]

@@ -2694,6 +2694,10 @@ export interface SceneFriction {
    * The radius of the pin's journal, in the scene's unit of length; of a pin alone.
    */
   radius?: number;
+  /**
+   * The link in which the pin is fixed, or "ground"; of a pin through three or more links, which all turn on it, alone.
+   */
+  fixed_in?: string;
 }
 /**
  * What the figure shows, and how large.
