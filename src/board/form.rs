@@ -25,7 +25,9 @@ impl Judge {
             let name = asked.asked.name();
             // What the hand has found itself, or what its sheets show; what the scene gives is no finding.
             let is_of_sheets = matches!(asked.asked.what, What::Segment(..) | What::Length(..));
-            let is_it = |own: &str| own == name || name.strip_suffix(".size") == Some(own);
+            // A block turns as its lever does.
+            let is_same = |own: &str| self.given().same_rates(name).any(|same| same == own);
+            let is_it = |own: &str| own == name || name.strip_suffix(".size") == Some(own) || is_same(own);
             let found = table.numbers().find(|(own, _)| is_it(own)).map(|(_, number)| number);
             let number = self.center(&table, &asked.asked).or(found);
             let number = number.or_else(|| table.known(name).filter(|_| is_of_sheets));
