@@ -1,9 +1,7 @@
 use crate::refused::Refused;
 use crate::solution::{Solution, tolerance};
 use kinegon::board::{DrawingResult, Given, HandDrawing, Judge, own_drawing};
-use kinegon::check::{
-    AnswerKey, Awarded, Checked, Feedback, Marks, Measured, Prepared, check_result, redrawn, report,
-};
+use kinegon::check::{AnswerKey, Awarded, Checked, Feedback, Marks, Measured, Prepared, check_result, redrawn, report};
 use kinegon::drawing::{Drawing, overlay};
 use kinegon::format::json_line;
 use pyo3::FromPyObject;

@@ -103,7 +103,10 @@ def test_checks(program, figure_2, tmp_path):
     assert "<!DOCTYPE html>" in check.feedback()[:20]
     right = solution.check({"omega(4)": -0.4747, "omega(2)": float(solution.quantity("omega(2)"))})
     wrong = solution.check({"omega(4)": 0.9})
-    assert right.is_passed and not wrong.is_passed
+    verdicts = [[value["verdict"] for value in check.result["values"]] for check in (right, wrong)]
+    assert verdicts == [["right", "right"], ["off"]]
+    # Two values are not all that the scene asks for.
+    assert not right.is_passed and not wrong.is_passed and "omega(5)" in right.result["missing"]
     four_bar = kinegon.Scene.kind("four-bar").solve()
     (value,) = four_bar.check({"omega(3)": float(four_bar.quantity("omega(3)"))}).result["values"]
     assert four_bar.quantity("omega(3)").value > 0 and value["verdict"] == "right"

@@ -2,10 +2,11 @@
 
 use super::file::HandDrawing;
 use super::judge::{Judge, JudgedDrawing};
+use super::table::Table;
 use crate::check::{FormBox, Given as GivenValue, Measured, form_boxes};
 use crate::construction::PointRole;
 use crate::quantity::{QuantityRequest, What};
-use crate::scene::Component;
+use crate::scene::{Component, QuantityName};
 use crate::sheet::{Scales, Sheet};
 
 impl Judge {
@@ -24,14 +25,12 @@ impl Judge {
             let name = asked.asked.name();
             // What the hand has found itself, or what its sheets show; what the scene gives is no finding.
             let is_of_sheets = matches!(asked.asked.what, What::Segment(..) | What::Length(..));
-            let found = table.numbers().find(|(own, _)| *own == name).map(|(_, number)| number);
-            let number = match (&asked.asked.what, asked.asked.written.component) {
-                (What::Pole(pole), Some(axis @ (Component::X | Component::Y))) => {
-                    let place = table.place(Sheet::Centers, &pole.name).map(|place| self.given().construction().origin + place);
-                    place.map(|at| if axis == Component::X { at.x } else { at.y })
-                }
-                _ => found.or_else(|| table.known(name).filter(|_| is_of_sheets)),
-            };
+            // A block turns as its lever does.
+            let is_same = |own: &str| self.given().same_rates(name).any(|same| same == own);
+            let is_it = |own: &str| own == name || name.strip_suffix(".size") == Some(own) || is_same(own);
+            let found = table.numbers().find(|(own, _)| is_it(own)).map(|(_, number)| number);
+            let number = self.center(&table, &asked.asked).or(found);
+            let number = number.or_else(|| table.known(name).filter(|_| is_of_sheets));
             if let Some(number) = number.filter(|number| number.is_finite()) {
                 form.values.push(GivenValue {
                     name: asked.name.clone(),
@@ -52,17 +51,29 @@ impl Judge {
         let boxes = form_boxes(&self.given().solution).into_iter();
         let (on_the_way, results): (Vec<FormBox>, Vec<FormBox>) =
             boxes.filter(|asked| !is_there(asked)).partition(|asked| self.is_on_the_way(&asked.asked));
-        let missing = if results.is_empty() && !form.values.is_empty() { Vec::new() } else { [results, on_the_way].concat() };
+        let missing =
+            if results.is_empty() && !form.values.is_empty() { Vec::new() } else { [results, on_the_way].concat() };
         missing.into_iter().map(|asked| asked.name).collect()
     }
 
-    /// Whether a segment has an end that only leads to others, or a centre is at infinity, where a drawing has no place for it.
+    /// The coordinate of an instant centre that the hand has found.
+    fn center(&self, table: &Table<'_>, asked: &QuantityRequest) -> Option<f64> {
+        let What::Pole(_) = &asked.what else { return None };
+        let name = QuantityName { component: None, ..asked.written.clone() }.to_string();
+        let place = self.given().construction().origin + table.place(Sheet::Centers, &name)?;
+        match asked.written.component? {
+            Component::X => Some(place.x),
+            Component::Y => Some(place.y),
+            _ => None,
+        }
+    }
+
+    /// Whether a segment has an end that only leads to others, or a direction is asked for, which a drawing shows and no number says.
     fn is_on_the_way(&self, asked: &QuantityRequest) -> bool {
-        let (order, ends) = match &asked.what {
-            What::Segment(order, ends) => (order, ends),
-            What::Pole(_) => return !matches!(asked.written.component, Some(Component::X | Component::Y)),
-            _ => return false,
-        };
+        if asked.written.component == Some(Component::Angle) {
+            return true;
+        }
+        let What::Segment(order, ends) = &asked.what else { return false };
         let construction = self.given().construction();
         let role = |end: &String| construction.plan_on(order.sheet())?.points.get(end).map(|point| point.role);
         ends.iter().any(|end| matches!(role(end), Some(PointRole::Normal | PointRole::Slid | PointRole::Special)))

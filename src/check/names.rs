@@ -8,7 +8,7 @@ use super::measured::{CheckError, UNDER_SLIDER};
 use super::says;
 use crate::centers::LinkPair;
 use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
-use crate::quantity::{Corners, Pole, QuantityError, QuantityRequest, What};
+use crate::quantity::{Corners, Pole, QuantityError, QuantityRequest, Unread, What, read_by_hand};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, shown};
@@ -136,10 +136,19 @@ impl<'a> Names<'a> {
         if let Some(form) = &solution.scene.form {
             let asked = form.iter().map(|(name, marks)| (names.row_of(&names.usual(name)).to_owned(), *marks));
             let asked: IndexMap<String, f64> = asked.collect();
-            asked.keys().filter(|name| is_extra(name)).for_each(|name| names.add_row(name));
+            let has_no_step = |name: &&String| is_extra(name) || names.is_without_construction(name);
+            let further: Vec<&String> = asked.keys().filter(has_no_step).collect();
+            further.into_iter().for_each(|name| names.add_row(name));
             names.rows.iter_mut().for_each(|row| row.worth = asked.get(&row.name).copied());
         }
         names
+    }
+
+    /// Whether no step can ask for a quantity, as its group has no construction by hand: it has a value all the same.
+    fn is_without_construction(&self, name: &str) -> bool {
+        let is_row = self.rows.iter().any(|row| row.name == name);
+        let Ok(asked) = QuantityRequest::new(name, &self.solution.mechanism) else { return false };
+        !is_row && matches!(read_by_hand(self.solution, &[asked]).1[..], [Err(Unread::NoConstruction)])
     }
 
     /// Adds a row that no step asks for: an arm before what its moment finds, all else behind the others.

@@ -76,9 +76,8 @@ impl Size {
         for (index, factors) in text.split('/').enumerate() {
             let sign = if index == 0 { 1 } else { -1 };
             let separated: Vec<char> = factors.chars().collect();
-            let is_dash = |at: usize| {
-                separated[at] == '-' && separated.get(at + 1).is_some_and(|next| next.is_alphabetic())
-            };
+            let is_dash =
+                |at: usize| separated[at] == '-' && separated.get(at + 1).is_some_and(|next| next.is_alphabetic());
             let is_between = |at: usize| "·⋅*×.()".contains(separated[at]) || is_dash(at);
             let spaced: String =
                 (0..separated.len()).map(|at| if is_between(at) { ' ' } else { separated[at] }).collect();
@@ -162,9 +161,9 @@ pub(super) fn factor(text: &str, kind: QuantityKind, units: Units) -> Result<f64
     });
     // A scene may have no unit of force, and forces all the same.
     let is_own = || text.split_whitespace().eq(own_unit.split_whitespace());
-    found.or_else(|| is_own().then_some(1.0)).ok_or_else(|| {
-        CheckError::new(says::no_unit_of(shown(text), said(kind)), says::write_unit(own_unit.clone()))
-    })
+    found
+        .or_else(|| is_own().then_some(1.0))
+        .ok_or_else(|| CheckError::new(says::no_unit_of(shown(text), said(kind)), says::write_unit(own_unit.clone())))
 }
 
 fn said(kind: QuantityKind) -> Message {

@@ -60,6 +60,7 @@ fn own_constructions_are_right_and_every_prefix_replays() {
         let found = judge.judge(&whole).unwrap_or_else(|error| panic!("{name}: {error}"));
         let wrong = found.first_wrong().map(|index| &whole.did[index]);
         assert!(wrong.is_none(), "{name}: {wrong:?}: {:?}", found.verdicts);
+        assert_eq!(judge.missing(&judge.form(&whole, &found)), [""; 0], "{name}");
         assert_eq!(own, own_drawing(&Given::new(&solution), &solution.scales()), "{name}: not the same bytes");
         // Every prefix is a drawing, too; its verdicts do not depend on what comes later but for what is unused yet.
         for count in (0..whole.did.len()).step_by(7) {

@@ -4,7 +4,8 @@
 use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::check::{
-    AnswerKey, Given, MarkScheme, Marks, Measured, PlacedPoint, PointsOf, Positive, Prepared, Verdict, form_names,
+    AnswerKey, Basis, Checked, Given, MarkScheme, Marks, Measured, PlacedPoint, PointsOf, Positive, Prepared, Verdict,
+    form_names, report,
 };
 use support::files;
 use support::random::Random;
@@ -60,7 +61,7 @@ fn form(way: usize, solution: &Solution, random: &mut Random) -> Measured {
         }
     }
     measured.in_mm = way == 6;
-    let asked = if way == 7 { vec![names[random.below(names.len())].clone()] } else { names.clone() };
+    let asked = if way == 7 { vec![names[random.below(names.len())].clone()] } else { names };
     if way == 8 {
         for plan in solution.construction.plans() {
             let mut points = PointsOf::new(plan.order);
@@ -72,7 +73,6 @@ fn form(way: usize, solution: &Solution, random: &mut Random) -> Measured {
         }
         return measured;
     }
-    measured.blank = names.into_iter().filter(|name| !asked.contains(name)).collect();
     measured.values = asked
         .into_iter()
         .map(|name| Given { text: value(random), place: name.clone().into(), unit: None, name })
@@ -161,7 +161,7 @@ fn a_scale_that_no_sheet_has_allows_no_more() {
     let mut measured = written(&solution, |value| format!("{:+}", 1.3 * value));
     let allowed = |measured: &Measured| {
         let checked = kinegon::check::check(measured, &key).expect("a form that is understood");
-        let all = checked.values.iter().map(|value| value.tolerance.expect("it is drawn") / value.entry.expected.abs());
+        let all = checked.values.iter().map(|value| value.tolerance / value.entry.expected.abs());
         (checked.scales.clone(), all.fold(0.0, f64::max))
     };
     let (told, usual) = allowed(&measured);
@@ -192,7 +192,7 @@ fn where_a_scale_is_asked_for_none_allows_more_than_twice() {
             measured.mu[sheet] = Some(times * mu);
         }
         let checked = kinegon::check::check(&measured, &key).expect("a form that is understood");
-        checked.values.iter().map(|value| value.tolerance.expect("it is drawn")).collect()
+        checked.values.iter().map(|value| value.tolerance).collect()
     };
     let [usual, twice, more] = [1.0, 2.0, 1e5].map(&mut allowed);
     for (index, usual) in usual.iter().enumerate() {
@@ -209,16 +209,78 @@ fn what_is_not_filled_in_is_missing() {
     let four = |value: f64| format!("{:+.*}", (3 - libm::log10(value.abs()).floor() as i32).max(0) as usize, value);
     let mut measured = written(&solution, four);
     let left = measured.values.split_off(5);
-    measured.blank = left.iter().map(|given| given.name.clone()).collect();
     let checked = kinegon::check::check(&measured, &key).expect("a form that is understood");
     assert!(checked.is_nothing_off() && !checked.is_passed());
     assert_eq!(checked.missing.len(), left.len());
-    // Lines taken out of an exercise's form are missing, too.
-    measured.blank.clear();
-    assert!(kinegon::check::check(&measured, &key).expect("understood").is_passed());
     measured.exercise = Some("four-bar-7-1".into());
     let checked = kinegon::check::check(&measured, &key).expect("understood");
     assert_eq!(checked.missing.len(), left.len());
+    measured.values.extend(left);
+    assert!(kinegon::check::check(&measured, &key).expect("understood").is_passed());
+}
+
+/// A group that no hand constructs: two ternary links joined by a pin, each on two legs. Its rates by the loop equations, solved with 40 digits.
+#[test]
+fn what_no_hand_constructs_is_judged_all_the_same() {
+    let solution = solved(&files::read("tests/files/two-ternary-links.json")).expect("a sound scene");
+    let key = answer_key(&solution, 2);
+    let check = |values: &str| {
+        let form = format!(r#"{{ "kinegon_measured": 1, "positive": "counter-clockwise", "values": {{ {values} }} }}"#);
+        kinegon::check::check(&Measured::read_json(&form).expect("a form"), &key).expect("understood")
+    };
+    let verdicts = |checked: &Checked| checked.values.iter().map(|v| v.verdict).collect::<Vec<_>>();
+    let wrong = check(r#""omega(2)": 99, "omega(3)": -40, "omega(5)": 70"#);
+    assert_eq!(verdicts(&wrong), [Verdict::Off; 3]);
+    assert!(!wrong.is_nothing_off());
+    let careful = check(r#""omega(2)": -3.744, "omega(3)": -0.318, "omega(5)": -2.4"#);
+    let expected = [Verdict::Right, Verdict::Right, Verdict::WithinTolerance];
+    for (value, expected) in careful.values.iter().zip(expected) {
+        let is_drawn = value.basis == Basis::Drawn;
+        assert!(is_drawn || value.verdict == expected, "{value:?}");
+        // A twentieth, or a hundredth of the largest rate.
+        assert!(is_drawn || value.tolerance <= 0.05 * 3.75 + 0.051, "{value:?}");
+    }
+    // A scene's form may ask for them.
+    let scene = files::read("tests/files/two-ternary-links.json").replacen(
+        '{',
+        r#"{ "form": { "omega(2)": 2, "omega(5)": 1 },"#,
+        1,
+    );
+    let solution = solved(&scene).expect("a sound scene");
+    assert_eq!(kinegon::check::asked_names(&solution), ["omega(2)", "omega(5)"]);
+    let key = answer_key(&solution, 2);
+    let passes = |values: &str| {
+        let form = format!(r#"{{ "kinegon_measured": 1, "positive": "counter-clockwise", "values": {{ {values} }} }}"#);
+        kinegon::check::check(&Measured::read_json(&form).expect("a form"), &key).expect("understood").is_passed()
+    };
+    assert!(passes(r#""omega(2)": -3.744, "omega(5)": -2.37"#));
+    assert!(!passes(r#""omega(2)": -3.744"#) && !passes(r#""L(A,B)": 50"#));
+    // A value that is not wrong, and tells nothing, passes no more than one that is off.
+    let told: String = report(&wrong, &key);
+    assert!(!told.contains("All correct"), "{told}");
+}
+
+/// Radii that a student writes behind places: they leave the place untold, and allow no more than a good photograph does.
+#[test]
+fn large_radii_allow_nothing() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a sound scene");
+    let key = answer_key(&solution, 2);
+    // b is 120 mm from the pole at 150°, where 5 mm/s are 1 mm; here it is so many mm farther.
+    let verdict = |beside: f64, radius: f64| {
+        let [x, y] = [libm::cos(150.0_f64.to_radians()), 0.5].map(|part| part * (120.0 + beside));
+        let form = format!(
+            r#"{{ "kinegon_measured": 1, "mu_v": 5, "upright": true, "points": {{ "velocity": {{ "p": [0, 0], "b": [{x}, {y}, {radius}] }} }} }}"#
+        );
+        let checked = kinegon::check::check(&Measured::read_json(&form).expect("a form"), &key).expect("understood");
+        let length = checked.values.iter().find(|v| v.entry.asked.name() == "vplan(p,b)").expect("it is there");
+        (length.verdict, checked.is_passed())
+    };
+    assert_eq!(verdict(0.5, 10.0).0, Verdict::Right);
+    assert_eq!(verdict(6.0, 10.0).0, Verdict::TooCoarse);
+    assert_eq!(verdict(12.5, 10.0).0, Verdict::Off);
+    assert_eq!(verdict(1.7, 1.0).0, Verdict::WithinTolerance);
+    assert_eq!(verdict(6.0, 1.0).0, Verdict::Off);
+    assert!(!verdict(0.0, 0.1).1);
 }
 
 /// A neighbour's values, another exercise's: some lie near the right ones, most scatter as those of no hand, and nothing is allowed for that.

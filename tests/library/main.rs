@@ -48,7 +48,7 @@
 //!   check's (`tests/support/students`), with hands that err and mistakes of which many are in no catalogue;
 //!   `published_sets` prints one number of a textbook wrong. What is told must be true, and no surer than it is
 //!   right.
-//! - Marks: `marks` counts by hand what a mistake costs, and what a form asks for.
+//! - Marks: `marks` counts by hand what a mistake costs, and what a form asks for. `cheats` and `strategies` hand in what tells nothing, or next to nothing.
 //! - Photographs: `tests/support/camera` takes pictures of sheets as telephones do (paper bent, lens, light, sensor,
 //!   JPEG), knows where each point of the page is in them, and draws the plans of the students above on sheets with a
 //!   pencil; it shares nothing with what reads photographs. `camera` holds it to mathematics: edges to 0.02 pixels,
@@ -140,6 +140,7 @@ mod speeds;
 mod springs;
 mod stage;
 mod step_names;
+mod strategies;
 mod students;
 mod studies;
 mod templates;

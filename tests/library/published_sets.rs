@@ -3,7 +3,7 @@
 
 use crate::examples::textbook_cases::cases;
 use kinegon::Solution;
-use kinegon::check::{Checked, Given, Measured, Verdict, check};
+use kinegon::check::{Basis, Checked, Given, Measured, Verdict, check};
 use kinegon::quantity::Quantity;
 use serde_json::Value;
 use support::files;
@@ -85,7 +85,7 @@ fn is_right(solution: &Solution, given: &Given) -> bool {
     let alone = checked(solution, core::slice::from_ref(given));
     alone.is_some_and(|checked| {
         let value = &checked.values[0];
-        value.tolerance.is_some() && [Verdict::Right, Verdict::WithinTolerance].contains(&value.verdict)
+        value.basis == Basis::Drawn && [Verdict::Right, Verdict::WithinTolerance].contains(&value.verdict)
     })
 }
 
@@ -150,7 +150,7 @@ impl Found {
         let place = place.expect("it is judged");
         let judged = &checked.values[place];
         // What a pencil may be off by at the scales of the figure is no wrong number.
-        if judged.difference.abs() <= 3.0 * right.values[0].tolerance.unwrap_or_default() {
+        if judged.difference.abs() <= 3.0 * right.values[0].tolerance {
             return;
         }
         self.tries += 1;

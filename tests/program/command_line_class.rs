@@ -200,6 +200,55 @@ fn a_pipe_is_not_waited_for() {
     assert!(rows(&stdout(&output))[0]["message"].contains("special"));
 }
 
+/// What a student's link leads to outside of its folder is not read: neither a form, a drawing nor a photograph, nor a file of an exercise.
+#[cfg(unix)]
+#[test]
+fn links_out_of_a_folder_are_not_followed() {
+    use std::os::unix::fs::symlink;
+    let folder = scratch("class-links");
+    for inside in ["forms", "secret", "photos", "exercises/one"] {
+        std::fs::create_dir_all(folder.join(inside)).expect("made");
+    }
+    std::fs::write(folder.join("secret/secret.csv"), "hunter2,toor\n").expect("written");
+    std::fs::write(folder.join("secret/drawing.json"), r#"{ "kinegon_drawing": 1, "did": ["hunter2"] }"#)
+        .expect("written");
+    std::fs::write(folder.join("forms/own.csv"), "omega(2),-2.424\n").expect("written");
+    symlink("../secret/secret.csv", folder.join("forms/a.csv")).expect("made");
+    symlink("../secret/drawing.json", folder.join("forms/b.json")).expect("made");
+    symlink("own.csv", folder.join("forms/c.csv")).expect("made");
+    let pages = folder.join("pages/");
+    let pages = ["--feedback", pages.to_str().expect("UTF-8"), "--feedback-format", "html"];
+    let output = run(FOUR_BAR, &folder.join("forms"), &pages);
+    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+    let told = rows(&stdout(&output));
+    for (row, is_read) in told.iter().zip([false, false, true, true]) {
+        assert_eq!(row["message"].contains("link to a file outside of its folder"), !is_read, "{row:?}");
+    }
+    for page in ["a.html", "b.html"] {
+        let page = std::fs::read_to_string(folder.join("pages").join(page)).expect("there is a page");
+        assert!(!page.contains("hunter2") && !page.contains("toor"), "{page}");
+    }
+    assert!(!stdout(&output).contains("hunter2"));
+    // A photograph, and the files of an exercise.
+    std::fs::write(folder.join("secret/sheet.jpg"), "hunter2").expect("written");
+    symlink("../secret/sheet.jpg", folder.join("photos/Ana-1.jpg")).expect("made");
+    let forms = folder.join("out");
+    let output = run(FOUR_BAR, &folder.join("photos"), &["-o", forms.to_str().expect("UTF-8")]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stdout(&output).contains("link to a file outside"), "{}", stdout(&output));
+    std::fs::copy(FOUR_BAR, folder.join("secret/scene.json")).expect("copied");
+    for file in ["scene.json", "marks.json"] {
+        let own = folder.join("exercises/one");
+        std::fs::copy(FOUR_BAR, own.join("scene.json")).expect("copied");
+        drop(std::fs::remove_file(own.join(file)));
+        symlink("../../secret/scene.json", own.join(file)).expect("made");
+        let output = run(folder.join("exercises").to_str().expect("UTF-8"), &folder.join("forms"), &[]);
+        assert_eq!(output.status.code(), Some(2), "{file}");
+        assert!(stderr(&output).contains("link to a file outside"), "{file}: {}", stderr(&output));
+        std::fs::remove_file(own.join(file)).expect("removed");
+    }
+}
+
 #[test]
 fn a_class_of_good_drawings_passes_and_an_empty_folder_is_misuse() {
     let folder = scratch("class-empty");
@@ -208,7 +257,8 @@ fn a_class_of_good_drawings_passes_and_an_empty_folder_is_misuse() {
     assert!(output.stdout.is_empty());
     assert!(stderr(&output).contains("has no forms to check"), "{}", stderr(&output));
     // With the scene itself in the folder.
-    std::fs::write(folder.join("scene.json"), files::read(FOUR_BAR)).expect("written");
+    let asked = files::read(FOUR_BAR).replacen('{', r#"{ "form": { "omega(2)": 1 },"#, 1);
+    std::fs::write(folder.join("scene.json"), asked).expect("written");
     std::fs::write(folder.join("x.csv"), "omega(2),-2.424\n").expect("written");
     let scene = folder.join("scene.json");
     let scene = scene.to_str().expect("UTF-8");

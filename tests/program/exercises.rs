@@ -211,7 +211,7 @@ fn keys_hold(kind: &str, exercise: &Exercise) {
         assert_eq!(value.entry.step, own.step, "{kind}: {name}");
         let near = value.difference.abs() <= 1e-12 * value.entry.expected.abs();
         assert!(value.verdict == Verdict::Right || near, "{kind}: {name} {value:?}");
-        let allowed = own.allowed.zip(value.tolerance);
+        let allowed = own.allowed.map(|own| (own, value.tolerance));
         let (allowed, judged) = allowed.unwrap_or((0.0, 0.0));
         // A rate of a wheel that follows from given ones alone allows nothing; half a unit of the last digit is left.
         let digits = 1e-12 * value.entry.expected.abs();

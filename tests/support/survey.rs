@@ -153,6 +153,8 @@ pub const PUBLISHED_CHANGES: By<usize> = By(3, 3, 1);
 pub const PUBLISHED_TRIES: By<usize> = By(15, 30, 500);
 /// Forms of each scene of `cheats` that are filled in by somebody who knows nothing.
 pub const CHEATS: By<usize> = By(18, 90, 2000);
+/// Exercises of each of the seven kinds of `strategies`.
+pub const HANDED_IN: By<usize> = By(2, 3, 12);
 /// Keys of each kind of exercise that must not be cut.
 pub const KEYS: By<u64> = By(1, 2, 16);
 

@@ -1153,9 +1153,11 @@ class ValueResult(TypedDict):
     percent: NotRequired[float]
     """The same in per cent of the exact value."""
     allowed: NotRequired[float]
-    """Largest difference of a value drawn within the tolerance."""
+    """Largest difference that is within the tolerance; left out where the scene gives the value."""
+    coarse: NotRequired[bool]
+    """Whether that is a coarse tolerance, as no construction by hand gives the value."""
     verdict: str
-    """"right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off", "too-coarse" (its digits tell nothing) or "unjudged" (no construction gives it, or it is too small on its sheet)."""
+    """"right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off", "too-coarse" (its digits tell nothing) or "unjudged" (it is too small on its sheet)."""
 
 
 class MistakeResult(TypedDict):
@@ -1256,7 +1258,7 @@ class CheckResult(TypedDict):
     name: NotRequired[str]
     """Whose drawing it is."""
     passed: bool
-    """Whether all that is asked for is there and right: nothing off, missing or without information, no plan mirrored."""
+    """Whether all that the scene asks for is there and right: nothing off, missing, without a sense or without information, no plan mirrored."""
     values: list[ValueResult]
     """The values in the order of the construction."""
     diagnosis: ExplanationResult
@@ -1272,7 +1274,7 @@ class CheckResult(TypedDict):
     turned: NotRequired[list[TurnedResult]]
     """Plans whose places on paper lie turned to the scheme, with all of the sheet; directions are judged without that."""
     missing: NotRequired[list[str]]
-    """What the form asks for and has no value of: boxes left blank, points that a photograph does not show; of an exercise's form all that the exercise asks for."""
+    """What the scene asks for, by its `form` or else by all its steps, and the form has no value of."""
     values_of: NotRequired[str]
     """The exercise of the class whose values these are, where they are those of another one."""
     scales: NotRequired[list[ScaleResult]]

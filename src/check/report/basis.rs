@@ -40,11 +40,9 @@ impl ReportText<'_> {
         let [coarse, small] = [Verdict::TooCoarse, Verdict::TooSmall].map(with);
         let by_coarse: Vec<usize> = (0..values.len()).filter(|&i| values[i].basis == Basis::Coarse).collect();
         let number = |x: f64| self.words.write(x, NumberStyle::shortest());
-        let by_coarse = (!by_coarse.is_empty()).then(|| {
-            self.own.check_coarse(&self.names(&by_coarse), &number(100.0 * COARSE), &number(COARSE_DEGREES))
-        });
-        let (coarse, rough): (Vec<usize>, Vec<usize>) =
-            coarse.into_iter().partition(|&i| values[i].entry.doubt == 0.0);
+        let by_coarse = (!by_coarse.is_empty())
+            .then(|| self.own.check_coarse(&self.names(&by_coarse), &number(100.0 * COARSE), &number(COARSE_DEGREES)));
+        let (coarse, rough): (Vec<usize>, Vec<usize>) = coarse.into_iter().partition(|&i| values[i].entry.doubt == 0.0);
         let coarse = (!coarse.is_empty()).then(|| self.own.check_coarse_digits(&self.names(&coarse)));
         let rough = (!rough.is_empty()).then(|| self.own.check_rough_places(&self.names(&rough), &number(COUNTED)));
         let small = (!small.is_empty()).then(|| self.own.check_too_small(&self.names(&small)));
@@ -52,7 +50,16 @@ impl ReportText<'_> {
         let common = self.checked.common.map(|common| self.common(common));
         let values_of = self.checked.values_of.as_ref().map(|exercise| self.own.check_values_of(exercise));
         let turned = self.checked.turned.iter().map(|plan| self.turned(plan));
-        values_of.into_iter().chain(common).chain(by_coarse).chain(coarse).chain(rough).chain(small).chain(scales).chain(turned).collect()
+        values_of
+            .into_iter()
+            .chain(common)
+            .chain(by_coarse)
+            .chain(coarse)
+            .chain(rough)
+            .chain(small)
+            .chain(scales)
+            .chain(turned)
+            .collect()
     }
 
     /// The error that all measured lengths have in common.

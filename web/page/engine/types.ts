@@ -1337,9 +1337,13 @@ export interface BoardJudged {
    */
   first_wrong: number | null;
   /**
-   * Whether all that is to be found is there and nothing is wrong.
+   * Whether all that the scene asks for is there and nothing is wrong.
    */
   is_complete: boolean;
+  /**
+   * What it asks for and is not there.
+   */
+  missing: string[];
 }
 /**
  * An entry with its verdict.
@@ -1536,7 +1540,7 @@ export interface CheckResult {
    */
   name?: string | null;
   /**
-   * Whether all that is asked for is there and right: nothing off, missing or without information, no plan mirrored.
+   * Whether all that the scene asks for is there and right: nothing off, missing, without a sense or without information, no plan mirrored.
    */
   passed: boolean;
   /**
@@ -1568,8 +1572,7 @@ export interface CheckResult {
    */
   turned?: TurnedResult[];
   /**
-   * What the form asks for and has no value of: boxes left blank, points that a photograph does not show; of an
-   * exercise's form all that the exercise asks for.
+   * What the scene asks for, by its `form` or else by all its steps, and the form has no value of.
    */
   missing?: string[];
   /**
@@ -1631,12 +1634,16 @@ export interface ValueResult {
    */
   percent?: number | null;
   /**
-   * Largest difference of a value drawn within the tolerance.
+   * Largest difference that is within the tolerance; left out where the scene gives the value.
    */
   allowed?: number | null;
   /**
+   * Whether that is a coarse tolerance, as no construction by hand gives the value.
+   */
+  coarse?: boolean;
+  /**
    * "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off", "too-coarse" (its digits tell nothing)
-   * or "unjudged" (no construction gives it, or it is too small on its sheet).
+   * or "unjudged" (it is too small on its sheet).
    */
   verdict: string;
 }
