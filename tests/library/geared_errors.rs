@@ -74,12 +74,12 @@ fn own() -> Vec<(&'static str, Value)> {
         (
             "rack that a lever's wheel pushes",
             scene(
-                json!({ "A": [0, 0], "D": [180.3, 150.1] }),
+                json!({ "A": [0, 0], "D": [180.3, 150.1], "G": [430.3, -120.1] }),
                 json!({ "1": driven(["A", "B"], 40.0, json!({ "angle": 70, "rpm": 180 })), "2": two(["B", "C"], 190.3), "3": two(["D", "C"], 130.7), "4": { "points": ["E"] },
-                    "5": two(["E", "F"], 90.3), "6": two(["G", "F"], 70.9) }),
+                    "5": two(["E", "F"], 210.3), "6": two(["G", "F"], 180.9) }),
                 json!([{ "link": "4", "at": "E", "on": "ground", "through": [260.3, 150], "along": 90.7 }]),
                 json!([{ "mesh": ["3", "4"], "teeth": [40, "rack"], "radius": 80.7, "on": "ground", "position": -200.3 }]),
-                json!({ "C": [190, 20], "F": [320, 0] }),
+                json!({ "C": [190, 20], "F": [400, 0] }),
             ),
         ),
         (
@@ -273,7 +273,7 @@ fn loaded(scene: &Value) -> Value {
     let mut scene = scene.clone();
     scene["units"] = json!({ "length": "mm", "time": "s", "mass": "kg", "force": "N" });
     scene["gravity"] = json!([0.7, -9810.3]);
-    for gear in scene["gears"].as_array_mut().into_iter().flatten() {
+    for gear in scene.get_mut("gears").and_then(Value::as_array_mut).into_iter().flatten() {
         gear["pressure"] = json!(20.3);
     }
     let (mut forces, mut last) = (Vec::new(), None);

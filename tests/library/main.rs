@@ -4,8 +4,8 @@
 //! - Numbers: `reference` solves over 650 scenes with 90-digit truth and measures errors in units of u·condition;
 //!   `accuracy` measures families of hard groups against a reference of 256 bits, which it holds to that truth;
 //!   `error_bounds` holds bounds at a given position to true errors, `whole_errors` every stated error and every
-//!   printed digit to 256 bits from the scene's text on, for random mechanisms from lengths and as drawn, `numbers` what
-//!   is hard on the way from a text's digits to them;
+//!   printed digit to 256 bits from the scene's text on, for random mechanisms from lengths and as drawn, `geared_errors` those of
+//!   wheels, racks, belts, contacts and several drives over whole turns, with their forces, `numbers` what is hard on the way from a text's digits to them;
 //!   `paper_facts`, `published_numbers` and `worked` hold the paper and 20 textbook cases; `templates` holds every
 //!   starting scene to independent truth and its rates to finite differences.
 //!   `singular` asks that nothing is proved of mechanisms that are exactly singular.
