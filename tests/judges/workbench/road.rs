@@ -124,7 +124,7 @@ fn draw_the_rest(bench: &mut Bench) {
             }
             "cross" => vec![("first", item("of", 0)), ("second", item("of", 1)), ("name", made)],
             "measure" => vec![("on", text("on")), ("from", text("from")), ("to", text("to")), ("name", made)],
-            "solve" => vec![("solve", joined("solve", ", ")), ("equations", joined("equations", "\n"))],
+            "solve" => vec![("solve", joined("solve", ",")), ("equations", joined("equations", "\n"))],
             other => panic!("no boxes for {other}"),
         };
         let blanks: Vec<(&str, &str)> = blanks.iter().map(|(blank, value)| (*blank, value.as_str())).collect();
