@@ -229,6 +229,9 @@ fn road(name: &str, is_telephone: bool) {
     draw_the_rest(&mut bench);
     bench.click("#board-check");
     bench.until(&format!("{SAYS} === 'All is there, and all is right.'"));
+    // What was drawn last is seen.
+    let alone = if is_telephone { "acceleration" } else { "" };
+    assert_eq!(bench.text("document.querySelector('#board .sheets').dataset.alone"), alone);
     bench.picture(&format!("{name}-5-drawn"));
     bench.click("#board-more");
     bench.press_named("#board-files", "Into the form");
