@@ -6,7 +6,7 @@ import { begun, slotsOf, turned } from "../../web/page/board/tools.ts";
 import type { BoardJudged, Form, FormRow, JudgedEntry } from "../../web/page/engine/types.ts";
 import { pagesFor } from "../../web/page/layout/pages.ts";
 import type { Solved } from "../../web/page/app.ts";
-import type { FormFile } from "../../web/page/panels/check/form.ts";
+import { type FormFile, withFewDigits } from "../../web/page/panels/check/form.ts";
 import { comesTo } from "../../web/page/panels/check/judged.ts";
 import { signal } from "../../web/page/state/signal.ts";
 import { goodText } from "../../web/page/state/solving.ts";
@@ -29,6 +29,12 @@ test("what a value with a unit comes to is said in what its box asks for", () =>
   assert.equal(comesTo(325, segment!, file({ "vplan(p,b)": { value: "0.325", unit: "m/s" } }), form), "= 162.5 mm on paper");
   assert.equal(comesTo(325, segment!, file({ "vplan(p,b)": "162.5" }), form), null, "it stands there as it is asked for");
   assert.equal(comesTo(0.5620, rate!, file({ "omega(2)": "+32.2 °/s" }), form), "= 0.562 rad/s");
+});
+
+test("what is handed in has the digits of a ruler and not of a computer", () => {
+  const values = { a: "1625.0000000000002", b: "-78.56323596193837", c: "+0.5611659711567026", d: "60", e: "", f: "12,5", g: { value: "1234567.89", unit: "mm/s" }, h: "1e-7" };
+  const short = { a: "1625", b: "-78.5632", c: "+0.561166", d: "60", e: "", f: "12,5", g: { value: "1234570", unit: "mm/s" }, h: "1e-7" };
+  assert.deepEqual(withFewDigits({ kinegon_measured: 1, values }, 6).values, short);
 });
 
 test("nothing is asked of a scene before it is solved, nor of one that is none", async () => {

@@ -124,7 +124,7 @@ fn draw_the_rest(bench: &mut Bench) {
             }
             "cross" => vec![("first", item("of", 0)), ("second", item("of", 1)), ("name", made)],
             "measure" => vec![("on", text("on")), ("from", text("from")), ("to", text("to")), ("name", made)],
-            "solve" => vec![("solve", joined("solve", ", ")), ("equations", joined("equations", "\n"))],
+            "solve" => vec![("solve", joined("solve", ",")), ("equations", joined("equations", "\n"))],
             other => panic!("no boxes for {other}"),
         };
         let blanks: Vec<(&str, &str)> = blanks.iter().map(|(blank, value)| (*blank, value.as_str())).collect();
@@ -229,6 +229,9 @@ fn road(name: &str, is_telephone: bool) {
     draw_the_rest(&mut bench);
     bench.click("#board-check");
     bench.until(&format!("{SAYS} === 'All is there, and all is right.'"));
+    // What was drawn last is seen.
+    let alone = if is_telephone { "acceleration" } else { "" };
+    assert_eq!(bench.text("document.querySelector('#board .sheets').dataset.alone"), alone);
     bench.picture(&format!("{name}-5-drawn"));
     bench.click("#board-more");
     bench.press_named("#board-files", "Into the form");

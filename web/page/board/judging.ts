@@ -1,6 +1,7 @@
 /** What is told of the drawing: verdicts, hints by stages, and what is handed in. */
 import type { App } from "../app.ts";
 import { fileName, saveFile } from "../files/save.ts";
+import { formFile, formText, withFewDigits } from "../panels/check/form.ts";
 import { said } from "../refused.ts";
 import { newest } from "../state/newest.ts";
 import { signal, type Signal } from "../state/signal.ts";
@@ -21,6 +22,9 @@ export interface Judging {
   /** Its values into the form of the check, and in an exam the file. */
   handIn(): Promise<void>;
 }
+
+/** Significant digits of what is read off the board: more than of any ruler. */
+const DIGITS = 6;
 
 /** Stages of a hint: where, by which relation, the operation itself. */
 const STAGES = 3;
@@ -116,8 +120,8 @@ export function judging(app: App, model: Model): Judging {
       const known = model.known.value;
       if (known === null) return;
       try {
-        const form = await app.engine.board_form(known.scene, known.drawing);
-        app.history.change({ form });
+        const form = formFile(await app.engine.board_form(known.scene, known.drawing));
+        if (form !== null) app.history.change({ form: formText(withFewDigits(form, DIGITS)) });
         if (model.use().mode === "exam") save();
         tell(say("handed_in"));
       } catch (refused) {

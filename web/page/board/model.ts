@@ -35,6 +35,8 @@ export interface Model {
   readonly alone: Signal<Sheet | "">;
   /** The first sheet that is drawn on. */
   drawnOn(): Sheet;
+  /** Where one sheet is shown at a time, shows that on which the entry of this index draws. */
+  showSheetOf(index: number): void;
   /** How many entries are shown; null for all. */
   readonly until: Signal<number | null>;
   /** Another drawing that is looked at in place of the own: the program's, or somebody else's. */
@@ -149,6 +151,12 @@ export function model(app: App): Model {
     }
   }
 
+  /** Where one sheet is shown at a time, shows that on which an entry draws. */
+  function showSheetOf(index: number): void {
+    const on = known.value?.things.find(({ entry }) => entry === index)?.sheet;
+    if (own.alone.value !== "" && on !== undefined && on !== "scheme") own.alone.set(on);
+  }
+
   async function write(): Promise<boolean> {
     const board = known.value;
     if (board === null) return false;
@@ -168,6 +176,7 @@ export function model(app: App): Model {
     if (entries === null || !(await put(entries))) return false;
     undone = [];
     canRedo.set(false);
+    showSheetOf(drawing().did.length - 1);
     has.set(begun(tool.value, entry));
     const words = tool.value === "rub" ? say("rubbed", { name: String(entry["rub"]) }) : (known.value?.did.at(-1)?.words ?? "");
     says.set({ text: words, isBad: false });
@@ -192,6 +201,7 @@ export function model(app: App): Model {
     tool,
     has,
     alone: signal<Sheet | "">(""),
+    showSheetOf,
     drawnOn: () => known.value?.sheets.find(({ sheet }) => sheet !== "scheme")?.sheet ?? DRAWN_ON[0]!,
     until,
     looked,

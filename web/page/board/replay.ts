@@ -26,9 +26,7 @@ export function replay(app: App, model: Model): HTMLElement {
   function go(to: number): void {
     model.until.set(Math.max(0, Math.min(to, did().length)));
     const words = model.known.value?.did[now() - 1]?.words ?? "";
-    // Where one sheet is shown at a time, it is that on which something is drawn.
-    const on = model.known.value?.things.find(({ entry }) => entry === now() - 1)?.sheet;
-    if (model.alone.value !== "" && on !== undefined && on !== "scheme") model.alone.set(on);
+    model.showSheetOf(now() - 1);
     model.says.set({ text: words, isBad: false });
   }
 

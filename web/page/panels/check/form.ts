@@ -83,6 +83,17 @@ export function withValue(file: FormFile, name: string, { digits, unit, onPaper 
   return { ...file, values };
 }
 
+/** The form with so many significant digits in its values at most: what a drawing on the screen gives has more of them than a hand can read. */
+export function withFewDigits(file: FormFile, digits: number): FormFile {
+  const few = (text: string): string => {
+    const number = Number(text);
+    const short = String(Number(number.toPrecision(digits)));
+    return text.trim() === "" || !Number.isFinite(number) || short.length >= text.length ? text : (text.startsWith("+") ? "+" : "") + short;
+  };
+  const shortened = (value: Written): Written => (typeof value === "object" ? { ...value, value: few(String(value.value)) } : few(String(value)));
+  return { ...file, values: Object.fromEntries(Object.entries(file.values ?? {}).map(([name, value]) => [name, shortened(value)])) };
+}
+
 /** The form without a value. */
 export function withoutValue(file: FormFile, name: string): FormFile {
   const values = Object.entries(file.values ?? {}).filter(([other]) => other !== name && other !== name + ON_PAPER);
