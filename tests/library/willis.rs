@@ -145,6 +145,6 @@ fn the_table_has_a_place_of_its_own() {
             }
         }
     }
-    assert!(beside > 20 && apart > 0, "{beside} beside, {apart} apart");
     assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
+    assert!(beside > 20 && apart > 0, "{beside} beside, {apart} apart");
 }
