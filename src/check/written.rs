@@ -4,7 +4,7 @@ use super::measured::{CheckError, Given};
 use super::says;
 use super::units::factor;
 use crate::message::Message;
-use crate::scene::Units;
+use crate::scene::{LengthUnit, Units};
 use crate::sheet::{QuantityKind, Sheet};
 use crate::text::shown;
 use crate::words::sheet_told;

@@ -54,10 +54,10 @@ fn rows(context: &SheetContext<'_>, train: &Train) -> Vec<Cells> {
     let bounds = bounds(scene, mechanism, pose, motion);
     let omega = |body: BodyId| {
         let [within, _] = bounds.angular_rates(body);
-        Ball::from(motion.body(body).omega).widened(within)
+        Ball::within(motion.body(body).omega, within)
     };
     let carrier = omega(train.carrier);
-    let first = train.wheels.first().map_or(0.0.into(), |wheel| omega(wheel.body) - carrier);
+    let first = train.wheels.first().map_or(Ball::default(), |wheel| omega(wheel.body) - carrier);
     let symbol = |body: BodyId| match body {
         GROUND => "0".to_owned(),
         _ => context.shown(&context.mechanism().body(body).name, None),
@@ -88,11 +88,11 @@ fn rows(context: &SheetContext<'_>, train: &Train) -> Vec<Cells> {
             whole(wheel.turns[0]) / whole(wheel.turns[1]) * first,
         )
     });
-    std::iter::once(row(train.carrier, "0", 0.0.into())).chain(wheels).collect()
+    std::iter::once(row(train.carrier, "0", Ball::default())).chain(wheels).collect()
 }
 
 /// A whole number, with what a floating-point number leaves of a very large one.
 fn whole(number: i128) -> Ball {
     let near = number as f64;
-    Ball::from(near).widened((number - near as i128).unsigned_abs() as f64)
+    Ball::within(near, (number - near as i128).unsigned_abs() as f64)
 }
