@@ -285,10 +285,10 @@ fn solve_answers_want() {
     near("vplan(b,s3)", 59.40764643033);
     near("vplan(b,s3)/mu", 59.40764643033);
 
-    // Velocities only: nothing of accelerations is computed or printed.
+    // Who wants a velocity gets everything else, too.
     let scene = FIGURE_2.replace("\"figure\"", r#""want": ["omega(2)"], "figure""#);
     let output = with_scene(&["solve", "-"], scene.as_bytes());
-    assert!(!String::from_utf8_lossy(&output.stdout).contains("acceleration"));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("acceleration"));
 
     let scene = FIGURE_2.replace("\"figure\"", r#""want": ["omega(22)"], "figure""#);
     let output = with_scene(&["solve", "-"], scene.as_bytes());
