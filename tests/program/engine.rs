@@ -155,16 +155,19 @@ fn exercises_are_those_of_the_program() {
     let mut engine = Engine::new();
     let exercise = parsed(engine.exercise(&text, "four-bar", 7.0, 2.0, &options));
     for (key, name) in [
-        ("text", "scene.json"),
-        ("sheet", "sheet.svg"),
-        ("key", "key.svg"),
-        ("form", "form.json"),
-        ("form_csv", "form.csv"),
-        ("key_values", "key.json"),
+        ("/text", "scene.json"),
+        ("/sheets/0/svg", "sheet.svg"),
+        ("/sheets/1/svg", "sheet-2.svg"),
+        ("/sheets/2/svg", "sheet-3.svg"),
+        ("/key/svg", "key.svg"),
+        ("/form", "form.json"),
+        ("/form_csv", "form.csv"),
+        ("/key_values", "key.json"),
     ] {
         let expected = std::fs::read_to_string(folder.join("four-bar-7-2").join(name)).expect("it was written");
-        assert!(exercise[key] == *expected, "{name}");
+        assert!(exercise.pointer(key) == Some(&json!(expected)), "{name}");
     }
+    assert_eq!(exercise["sheets"].as_array().map(Vec::len), Some(3));
     let sheet = engine.exercise_file(&text, "four-bar", 7.0, 2.0, &options, "sheet").expect("a sheet");
     assert!(sheet == std::fs::read(folder.join("four-bar-7-2/sheet.pdf")).expect("it was written"));
 }

@@ -53,7 +53,8 @@ export function forStudents(app: App, found: Found): HTMLElement {
       button(say("print"), () => app.print(exercise.sheets), true),
       button(say("link"), () => void link()),
       file(app, found, "sheet", "pdf", "sheet", "application/pdf"),
-      file(app, found, "sheet", "svg", exercise.sheets[0]?.svg ?? "", "image/svg+xml"),
+      // As the program names them.
+      button(`${say("sheet")} (SVG)`, () => exercise.sheets.forEach(({ svg }, index) => saveFile(`${exercise.name}-sheet${index === 0 ? "" : `-${index + 1}`}.svg`, svg, "image/svg+xml"))),
       file(app, found, "form", "json", exercise.form, "application/json"),
       file(app, found, "form", "csv", exercise.form_csv, "text/csv"),
       file(app, found, "scene", "json", exercise.text, "application/json"),
