@@ -299,7 +299,7 @@ pub fn row(mistake: Mistake, count: usize, hand: [f64; 2], seed: u64) -> Row {
             continue;
         };
         // Cutting off in place of rounding moves no value beyond its tolerance.
-        if checked.is_passed() && mistake != Mistake::Truncated {
+        if checked.is_nothing_off() && mistake != Mistake::Truncated {
             continue;
         }
         // A value off from which nothing follows is not explained, only told.
@@ -328,7 +328,7 @@ pub fn row(mistake: Mistake, count: usize, hand: [f64; 2], seed: u64) -> Row {
     row
 }
 
-/// Of so many clean drawings, how many are not passed, and in how many a mistake is named.
+/// Of so many clean drawings, in how many something is off, and in how many a mistake is named.
 pub fn clean(count: usize, hand: [f64; 2], seed: u64) -> [usize; 2] {
     let mut random = Random(seed);
     let mut alarms = [0; 2];
@@ -340,7 +340,7 @@ pub fn clean(count: usize, hand: [f64; 2], seed: u64) -> [usize; 2] {
         };
         let measured = student.draw(&[], hand, &mut || random.within(), &[]);
         if let Ok(checked) = check(&measured, &key) {
-            alarms[0] += usize::from(!checked.is_passed());
+            alarms[0] += usize::from(!checked.is_nothing_off());
             alarms[1] += usize::from(!checked.diagnosis.best.findings.is_empty());
         }
     }
@@ -373,7 +373,7 @@ pub fn pairs(count: usize, hand: [f64; 2], seed: u64) -> [usize; 3] {
         let seen = |mistakes: &[&Candidate]| {
             let measured = student.draw(mistakes, [0.0; 2], &mut || 0.0, &[]);
             let shallow = AnswerKey { depth: 0, ..key };
-            check(&measured, &shallow).is_ok_and(|c| !c.is_passed())
+            check(&measured, &shallow).is_ok_and(|c| !c.is_nothing_off())
         };
         if both[0].step == both[1].step || !seen(&[&both[0]]) || !seen(&[&both[1]]) {
             continue;

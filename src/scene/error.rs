@@ -40,6 +40,7 @@ pub struct Place {
 
 impl SceneError {
     /// The error at these bytes of another text.
+    #[cfg(feature = "cli")]
     #[must_use]
     pub(crate) fn placed(self, text: &str, span: Range<usize>) -> SceneError {
         let source = Source(text);

@@ -148,6 +148,8 @@ fn the_reference_has_all_published_digits() {
                 Along::Direction(direction) => direction,
                 ref other => panic!("{name}: {other:?}"),
             });
+            let given: Vec<[f64; 2]> = guides.collect();
+            let guides = mechanism.sliders.iter().map(|slider| given[slider.given.expect("a slider of the scene")]);
             let guides: Vec<[f64; 2]> = guides.collect();
             let truth = Truth::new(&mechanism, &points, &guides);
             if expect["singular"] == true {

@@ -2,12 +2,16 @@
 //! A new case is a few more lines there.
 
 use kinegon::drawing::Style;
+use kinegon::mechanism::{StructureError, mechanism};
 use kinegon::scene::{Scene, SceneError};
 use support::files::refused;
 
 #[test]
 fn every_bad_scene_is_refused_with_its_message() {
-    each_is_refused("tests/bad_scenes.txt", 180, |text| Scene::read(text).err());
+    each_is_refused("tests/bad_scenes.txt", 180, |text| match Scene::read(text).map(|scene| mechanism(&scene)) {
+        Err(error) | Ok(Err(StructureError::Scene(error))) => Some(error),
+        Ok(_) => None,
+    });
 }
 
 #[test]

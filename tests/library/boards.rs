@@ -1,9 +1,7 @@
 //! Drawings made on the board, judged operation by operation: Kinegon's own construction of every scene is right, so are equivalent ways, the first wrong
 //! operation is the one that was put in, every prefix replays, and no file ends in a panic.
 
-use kinegon::board::{
-    Entry, Formula, Given, HandDrawing, Judge, JudgedDrawing, MOST_ENTRIES, Screen, Verdict, own_drawing,
-};
+use kinegon::board::{Entry, Formula, Given, HandDrawing, Judge, JudgedDrawing, MOST_ENTRIES, Verdict, own_drawing};
 use kinegon::check::AnswerKey;
 use kinegon::construction::Tolerance;
 use serde_json::{Value, json};

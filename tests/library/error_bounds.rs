@@ -125,7 +125,9 @@ fn see_group(name: &str, group: &Group, seen: &mut Seen) {
     let scene = Scene::read(&group.scene().to_string()).expect("a good scene");
     let mechanism = mechanism(&scene).expect("a mechanism");
     let pose = pose(&mechanism, &scene.near).expect("it is drawn");
-    let guides: Vec<[f64; 2]> = group.guides.iter().flatten().copied().collect();
+    let given: Vec<[f64; 2]> = group.guides.iter().flatten().copied().collect();
+    let guides = mechanism.sliders.iter().map(|slider| given[slider.given.expect("a slider of the scene")]);
+    let guides: Vec<[f64; 2]> = guides.collect();
     seen.see(name, &mechanism, &pose, &guides);
 }
 

@@ -173,17 +173,14 @@ fn what_is_not_found_is_said_so() {
     assert!(message.contains("starts closes") && message.contains("`near`"), "{message}");
 }
 
-/// A crank with a fourth-class group and one of its links doubled in place of a drive: the group can move, so it has as many modes as
-/// one looks for, and none is worth a long search.
+/// A crank with a fourth-class group and one of its links doubled in place of a drive: the count of freedoms is right, but the doubled link
+/// holds twice what is held already, and all others can move. So there is nothing to search.
 #[test]
-fn a_group_that_can_move_is_not_searched_for_long() {
+fn a_doubled_link_is_no_drive() {
     let scene = files::read("tests/fuzzed/doubled_link.json");
     let scene = Scene::read(&scene).expect("a scene");
-    let mechanism = mechanism(&scene).expect("a mechanism");
-    let all = poses(&mechanism, &scene.near).expect("it can be assembled");
-    assert!((2..30).contains(&all.len()), "{} modes", all.len());
-    let refused = motion(&mechanism, &all[0], Order::Velocity);
-    assert!(matches!(refused, Err(MotionError::Singular { .. })));
+    let refused = mechanism(&scene).unwrap_err().to_string();
+    assert!(refused.contains("can still move"), "{refused}");
 }
 
 fn moved(scene: &Value) -> Solution {

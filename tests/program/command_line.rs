@@ -547,7 +547,8 @@ fn two_sliders_of_the_same_two_have_two_names() {
         "near": { "M": [-10, 40] }, "want": ["v_r(P/3)", "v_r(P/3#2)", "v_r(Q/3)"] }"#;
     let output = with_scene(&["solve", "-"], scene.as_bytes());
     let result: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
-    let keys: Vec<&String> = result["sliders"].as_object().expect("sliders").keys().collect();
+    let mut keys: Vec<&String> = result["sliders"].as_object().expect("sliders").keys().collect();
+    keys.sort();
     assert_eq!(keys, ["P/3", "P/3#2", "Q/3"]);
     let near = |value: &serde_json::Value, want: f64| {
         let got = value.as_f64().expect("a number");

@@ -331,7 +331,7 @@ fn pages_are_of_one_exercise_and_of_one_form_too() {
         assert!(text.contains(&said), "{file}: {said}");
     }
     let (pages, output) = page(&forms.join("ana.json"), "one", &[]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-    assert!(stdout(&output).starts_with("1 right"), "{}", stdout(&output));
+    // One value of many is there.
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
     assert!(pages.join("ana.html").is_file());
 }

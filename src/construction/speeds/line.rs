@@ -99,11 +99,23 @@ impl Writer<'_> {
     pub(super) fn speed_diagram(&self) -> Option<SpeedDiagram> {
         let pairs = self.pairs();
         let lines = pairs.iter().filter_map(|pair| self.line_of(pair));
-        // The line with most pairs, the first of these.
         let count = |line: &Line| pairs.iter().filter(|pair| self.is_on(line, pair)).count();
-        let mut line = lines.rev().max_by_key(count)?;
+        // The line with most pairs; of these that onto which most others can be turned; the first of these.
+        let filled = lines.rev().map(|line| (count(&line), self.filled(line, &pairs)));
+        let (_, (line, own)) = filled.max_by_key(|(straight, (_, own))| (*straight, own.len()))?;
+        let (own, rest): (Vec<Pair<'_>>, Vec<Pair<'_>>) = pairs.into_iter().partition(|pair| own.contains(&pair.id));
+        let [upwards, downwards] = [1.0, -1.0].map(|way| self.diagram_along(&line, &own, way));
+        // Parallels have room below, where circles reach farther.
+        let mut diagram = if downwards.room_below() > upwards.room_below() { downwards } else { upwards };
+        diagram.left_out = rest.iter().map(|pair| name_of_touch(self.mechanism, pair.id, 0)).collect();
+        self.order_lines(&mut diagram, &own);
+        Some(diagram)
+    }
+
+    /// A line with all pairs that are on it or can be turned onto it.
+    fn filled(&self, mut line: Line, pairs: &[Pair<'_>]) -> (Line, Vec<JointId>) {
         let mut own: Vec<JointId> = Vec::new();
-        for pair in &pairs {
+        for pair in pairs {
             if self.is_on(&line, pair) {
                 self.lay_own(&mut line, pair);
                 own.push(pair.id);
@@ -112,19 +124,13 @@ impl Writer<'_> {
         let mut before = 0;
         while before < own.len() {
             before = own.len();
-            for pair in &pairs {
+            for pair in pairs {
                 if !own.contains(&pair.id) && self.turn_onto(&mut line, pair) {
                     own.push(pair.id);
                 }
             }
         }
-        let (own, rest): (Vec<Pair<'_>>, Vec<Pair<'_>>) = pairs.into_iter().partition(|pair| own.contains(&pair.id));
-        let [upwards, downwards] = [1.0, -1.0].map(|way| self.diagram_along(&line, &own, way));
-        // Parallels have room below, where circles reach farther.
-        let mut diagram = if downwards.room_below() > upwards.room_below() { downwards } else { upwards };
-        diagram.left_out = rest.iter().map(|pair| name_of_touch(self.mechanism, pair.id, 0)).collect();
-        self.order_lines(&mut diagram, &own);
-        Some(diagram)
+        (line, own)
     }
 
     /// The pairs of wheels with pitch points, and racks that slide without turning and belts on the frame whose size is known.

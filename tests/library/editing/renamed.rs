@@ -21,13 +21,13 @@ fn renamed_and_renamed_back_is_the_same_text() {
             let other = renamed(&text, what, &old, new);
             let (_, there, now) = position(&other).unwrap_or_else(|error| panic!("{name} {old}: {error}\n{other}"));
             // Places may differ in the last digits only where the order of names counts.
-            for (a, b) in pose.points.iter().zip(&now.points) {
+            let is_new =
+                |name: &str| if name == old && what == Named::Point { new.to_owned() } else { name.to_owned() };
+            assert_eq!(pose.points.len(), now.points.len(), "{name} {old}");
+            for (a, point) in pose.points.iter().zip(&mechanism.points) {
+                let b = now.points[there.point(&is_new(point)).expect("it has its new name").0];
                 assert!((a - b).norm() <= 1e-9 * super::size(&pose), "{name} {old}");
             }
-            let names = [&mechanism, &there].map(|m| m.points.clone());
-            let is_new =
-                |name: &String| if *name == old && what == Named::Point { new.to_owned() } else { name.clone() };
-            assert_eq!(names[0].iter().map(is_new).collect::<Vec<_>>(), names[1], "{name} {old}");
             assert_eq!(renamed(&other, what, new, &old), text, "{name} {old}\n{other}");
             seen += 1;
         }
