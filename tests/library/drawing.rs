@@ -266,7 +266,7 @@ fn long_names_of_links_are_set_apart_in_special_points() {
     let text = read("templates/third-class.json");
     let third = renamed(&text, &["crank", "rod", "plate", "arm", "leg"]);
     says(&third, "scheme", "Sarm,rod");
-    says(&third, "velocity", "sleg,rod");
+    says(&third, "velocity", "sarm,rod");
     // They lie close on paper, and are three points.
     for name in ["nb,arm,rod", "nb,leg,rod", "nbC"] {
         says(&third, "acceleration", name);

@@ -4,7 +4,7 @@ use kinegon::Order;
 use kinegon::Solution;
 use kinegon::geometry::Vector;
 use kinegon::mechanism::{Mechanism, mechanism};
-use kinegon::motion::{MotionError, motion};
+use kinegon::motion::motion;
 use kinegon::position::{AssemblyError, Count, Listed, Pose, pose, poses};
 use kinegon::scene::Scene;
 use serde_json::{Value, json};

@@ -524,7 +524,7 @@ _MarksFileKeys = TypedDict("_MarksFileKeys", {"$schema": "NotRequired[str]"})
 
 
 class MarksFile(_MarksFileKeys):
-    """How many marks the values of a form earn. A value that is right or within the tolerance earns the marks of its quantity; one that is off earns none, or where it follows from a mistake made at an earlier step and is consistent with it, the part `follow_through` of them. Every mistake is charged once: in the value in which it was made, whatever else that follows from, or where no value of its step shows it, as that of a line, in the first that does. From a mistake that has no name nothing follows where it leaves more than half as many wrong values open as it explains. A value that cannot be judged earns none. What is too small on the sheet to be judged does not count."""
+    """How many marks the values of a form earn. A value that is right or within the tolerance earns the marks of its quantity; one that is off earns none, or where it follows from a mistake made at an earlier step and is consistent with it, the part `follow_through` of them. Every mistake is charged once: in the value in which it was made, whatever else that follows from, or where no value of its step shows it, as that of a line, in the first that does. From a mistake that has no name nothing follows where it leaves more than half as many wrong values open as it explains. A value that tells nothing earns none, and a rate without its sense earns none. What is too small on the sheet to be judged does not count."""
 
     kinegon_marks: Literal[1]
     """Version of the format."""
