@@ -210,7 +210,7 @@ fn drawn_alike(one: &Solution, other: &Solution) -> Vec<String> {
         let size = plan.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
         let alike = plan.points.len() == other_plan.points.len()
             && plan.points.iter().zip(&other_plan.points).all(|((name, point), (other_name, other_point))| {
-                name == other_name && !((point.vector - other_point.vector).norm() > UNPROVED * size)
+                name == other_name && (point.vector - other_point.vector).norm() <= UNPROVED * size
             });
         if !alike {
             found.push(format!("the plan {:?}", plan.order));

@@ -317,10 +317,11 @@ fn rank_of_velocities(links: usize, pins: usize, edges: &[Edge], mut random: imp
         let Some(pivot) = (rank..rows.len()).find(|&row| rows[row][column] != 0) else { continue };
         rows.swap(rank, pivot);
         let inverse = power(rows[rank][column], PRIME - 2);
-        for row in rank + 1..rows.len() {
-            let factor = rows[row][column] * inverse % PRIME;
-            for other in column..3 * links + 2 * pins {
-                rows[row][other] = (rows[row][other] + (PRIME - factor) * rows[rank][other]) % PRIME;
+        let (done, below) = rows.split_at_mut(rank + 1);
+        for row in below {
+            let factor = row[column] * inverse % PRIME;
+            for (own, other) in row.iter_mut().zip(&done[rank]).skip(column) {
+                *own = (*own + (PRIME - factor) * other) % PRIME;
             }
         }
         rank += 1;

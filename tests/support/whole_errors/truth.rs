@@ -477,7 +477,7 @@ impl Truth {
             self.add(&mut own, guide.carrier, &place, &along, -1.0);
             self.add(&mut own, guide.on, &place, &along, 1.0);
             terms.extend(own.into_iter().map(|(column, value)| (column, value * weight)));
-            side = side - weight * (self.normal(guide.on, &place, &along) - self.normal(guide.carrier, &place, &along));
+            side -= weight * (self.normal(guide.on, &place, &along) - self.normal(guide.carrier, &place, &along));
         }
         let mut left = direction_of(&constant);
         for &(link, weight) in &tie.turning {
