@@ -267,8 +267,8 @@ fn long_names_of_links_are_set_apart_in_special_points() {
     let third = renamed(&text, &["crank", "rod", "plate", "arm", "leg"]);
     says(&third, "scheme", "Sarm,rod");
     says(&third, "velocity", "sarm,rod");
-    // They lie close on paper, and are three points.
-    for name in ["nb,arm,rod", "nb,leg,rod", "nbC"] {
+    // Each is a point of its own.
+    for name in ["nb,arm,rod", "nf,arm,rod", "nf,arm,leg"] {
         says(&third, "acceleration", name);
     }
     let text = read("templates/fourth-class.json");

@@ -120,7 +120,12 @@ fn strategies(all: &[Subject], at: usize, random: &mut Random) -> Vec<(&'static 
     };
     let median = |name: &String| {
         let of = |subject: &Subject| subject.right.iter().find(|(own, _)| own == name).map(|(_, value)| *value);
-        let mut values: Vec<f64> = all.iter().filter_map(of).collect();
+        // Of the others: one of three that is in the middle is the median itself.
+        let others = all.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, subject)| subject);
+        let mut values: Vec<f64> = others.filter_map(of).collect();
+        if values.is_empty() {
+            values.extend(of(own));
+        }
         values.sort_by(f64::total_cmp);
         values[values.len() / 2]
     };

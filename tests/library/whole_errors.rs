@@ -408,7 +408,7 @@ fn compare_special(name: &str, solution: &Solution, result: &ResultFile, truth: 
                     Some([from.clone(), minus(&place(to?)?, &from)])
                 }
                 Course::Normal(slider, at) => {
-                    let [x, y] = truth.along(slider.0);
+                    let [x, y] = truth.along(mechanism.sliders[slider.0].given.expect("a slider of the scene"));
                     Some([place(at)?, [-y, x]])
                 }
                 Course::AtInfinity => None,
