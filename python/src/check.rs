@@ -84,11 +84,11 @@ impl Solution {
 
     /// The result as JSON, the report, and whether it is passed.
     pub fn checked(&self, form: &str, options: &CheckOptions) -> Result<(String, String, bool), Refused> {
-        self.judged(form, options, Judged::result)
+        self.judged(form, options, |judged| judged.result())
     }
 
     pub fn page_for_student(&self, form: &str, options: &CheckOptions) -> Result<String, Refused> {
-        self.judged(form, options, |Judged { measured, key, checked, marks }| {
+        self.judged(form, options, |Judged { measured, key, checked, marks, .. }| {
             Ok(Feedback::new(measured, key, checked, marks.as_ref())?.html())
         })
     }

@@ -20,7 +20,7 @@ def test_bad_scenes(tmp_path):
         scene = tmp_path / f"{name}.json"
         scene.write_text(text)
         with pytest.raises(kinegon.SceneError) as refused:
-            kinegon.Scene.read(scene)
+            kinegon.Scene.read(scene).solve()
         error = refused.value
         assert str(error) == message.rstrip(), name
         assert isinstance(error, ValueError) and error.message in str(error)

@@ -104,7 +104,7 @@ def test_checks(program, figure_2, tmp_path):
     right = solution.check({"omega(4)": -0.4747, "omega(2)": float(solution.quantity("omega(2)"))})
     wrong = solution.check({"omega(4)": 0.9})
     verdicts = [[value["verdict"] for value in check.result["values"]] for check in (right, wrong)]
-    assert verdicts == [["right", "right"], ["off"]]
+    assert verdicts == [["right", "within-tolerance"], ["off"]]
     # Two values are not all that the scene asks for.
     assert not right.is_passed and not wrong.is_passed and "omega(5)" in right.result["missing"]
     four_bar = kinegon.Scene.kind("four-bar").solve()
