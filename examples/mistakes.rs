@@ -328,7 +328,7 @@ pub fn row(mistake: Mistake, count: usize, hand: [f64; 2], seed: u64) -> Row {
     row
 }
 
-/// Of so many clean drawings, in how many something is off, and in how many a mistake is named.
+/// Draws `count` sheets without a mistake; returns on how many a value is off, and on how many a mistake is named.
 pub fn clean(count: usize, hand: [f64; 2], seed: u64) -> [usize; 2] {
     let mut random = Random(seed);
     let mut alarms = [0; 2];
