@@ -51,9 +51,9 @@ impl Given<'_> {
             .collect()
     }
 
-    /// Cosine and sine of the angles, in degrees, that a drive may have.
-    pub fn driven_direction(&self, degrees: f64) -> Vector {
-        Pair::direction_of_degrees(self.chosen(degrees).widened(self.room.turned))
+    /// The angles, in degrees, that a drive may have.
+    pub fn driven_angle(&self, degrees: f64) -> Ball {
+        self.chosen(degrees).widened(self.room.turned)
     }
 
     /// The positions that a pushed slider may have.

@@ -9,9 +9,9 @@ use super::given::{Frame, Given, Vector};
 use super::locals::Locals;
 use super::places::PlacesOf;
 use crate::geometry::{Ball, Numbers, Pair, RADIANS_PER_TURN};
-use crate::mechanism::{BodyId, Constant, Group, JointId, LoopEquations, PointId, Role, SliderId, Travel};
+use crate::mechanism::{AngularRate, BodyId, Constant, Group, JointId, LoopEquations, PointId, Role, SliderId, Travel};
 use crate::motion::Places;
-use crate::position::Pose;
+use crate::position::{Pose, principal_degrees};
 use crate::scene::GivenBy;
 
 /// Most Newton steps: from a pose that is right to rounding one or two are needed, near a limit some more.
@@ -22,6 +22,9 @@ const ELSEWHERE: f64 = 0.05;
 
 /// The last correction of an angle is at most so large: see [`Pair::turned_slightly`].
 const SLIGHT: f64 = 1e-4;
+
+/// Half a turn in degrees, less what sums of bounds may have been rounded down.
+const HALF_TURN: f64 = 179.9;
 
 /// The true places of points and guides, with the bounds of their errors.
 #[derive(Clone, Debug)]
@@ -71,6 +74,8 @@ struct Finder<'a> {
     frames: Vec<Option<Frame>>,
     /// By body: cosine and sine of its angle, as far as it is found.
     turns: Vec<Option<Vector>>,
+    /// By body: its angle in degrees with its whole turns, of drives and of what meshes alone turn.
+    counted: Vec<Option<Ball>>,
     slides: Vec<Ball>,
     /// By body: how far its points and those that slide on it are from each other, at most.
     sizes: Vec<f64>,
@@ -111,6 +116,7 @@ impl<'a> Finder<'a> {
             turned: mechanism.sliders.iter().map(|slider| given.direction(slider.turned)).collect(),
             frames: vec![None; mechanism.bodies.len()],
             turns: vec![None; mechanism.bodies.len()],
+            counted: vec![None; mechanism.bodies.len()],
             points,
             is_placed: vec![false; mechanism.points.len()],
             guides: lines.iter().map(|[_, along]| *along).collect(),
@@ -129,7 +135,9 @@ impl<'a> Finder<'a> {
             let frame = match mechanism.body(id).role {
                 Role::Ground => Frame::identity(),
                 Role::Driver { pivot, angle, .. } => {
-                    let turn = self.given.driven_direction(angle?);
+                    let angle = self.given.driven_angle(angle?);
+                    self.counted[id.0] = Some(angle);
+                    let turn = Pair::direction_of_degrees(angle);
                     Frame::pinned(turn, self.local(id, pivot)?, self.given.vector(mechanism.given[pivot.0]?))
                 }
                 _ => continue,
@@ -242,7 +250,8 @@ impl<'a> Finder<'a> {
             match found {
                 Some((errors, is_sharp)) if is_sharp || !goes_on => {
                     self.move_to(&equations, &mut angles, &correction, &errors);
-                    return self.gaps(group, &equations, &angles).map(|_| ());
+                    self.gaps(group, &equations, &angles)?;
+                    return if group.loops.is_empty() { self.count_turns(group, &equations) } else { Some(()) };
                 }
                 None if !goes_on => return None,
                 _ => self.correct(&equations, &mut angles, &correction),
@@ -259,6 +268,7 @@ impl<'a> Finder<'a> {
         for body in &group.bodies {
             self.frames[body.0] = Some(Frame { turn: unknown, origin: unknown });
             self.turns[body.0] = Some(unknown);
+            self.counted[body.0] = None;
         }
         for (id, _) in equations.slides {
             self.slides[id.0] = self.slides[id.0].widened(f64::INFINITY);
@@ -349,12 +359,70 @@ impl<'a> Finder<'a> {
         Some(gaps)
     }
 
+    /// Counts the whole turns of wheels that meshes alone turn; `None` where they stand elsewhere than these say.
+    ///
+    /// As directions, meshes hold for each tooth by which a wheel may be shifted, and a pose rounded to f64 may be nearer to one that is not
+    /// meant. As numbers they have one solution. What was found solves the meshes up to whole turns: where its distance from that solution
+    /// adds up to less than half a turn in each mesh, it is that solution.
+    fn count_turns(&mut self, group: &Group, equations: &LoopEquations) -> Option<()> {
+        let mechanism = self.given.mechanism;
+        let mut rows = Vec::new();
+        for (relation, own) in group.gears(mechanism).zip(&equations.angular) {
+            let Constant::Phase { times, degrees } = relation.constant else { return None };
+            let (mut row, mut right) = (vec![Ball::default(); equations.unknowns], self.given.number(degrees) * times.into());
+            for &(body, weight) in &relation.terms {
+                let weight = Ball::from(weight);
+                match equations.angular_rate_of(body) {
+                    AngularRate::Unknown(unknown) => {
+                        let first = equations.link_of(unknown)?;
+                        row[unknown] = row[unknown] + weight;
+                        right = right - weight * principal(self.within((first, Frame::identity()), body).1.turn);
+                    }
+                    AngularRate::Known(other) => {
+                        let of_frame = || Some(principal(self.frames[other.0]?.turn));
+                        right = right - weight * self.counted[other.0].or_else(of_frame)?;
+                    }
+                }
+            }
+            if let (Some(travel), Some(terms)) = (&relation.travel, &own.travel) {
+                let degrees = self.degrees_of_travel(travel);
+                right = right - self.given.number(travel.start) * degrees;
+                for slide in &terms.slides {
+                    match slide.unknown {
+                        Some(unknown) => row[unknown] = row[unknown] - degrees.signed(slide.sign),
+                        None => right = right + (self.slides[slide.slider.0] * degrees).signed(slide.sign),
+                    }
+                }
+            }
+            row.push(right);
+            rows.push(row);
+        }
+        let found = solved(rows.clone())?;
+        let mut apart = vec![0.0; equations.unknowns];
+        for (unknown, angle) in found.iter().enumerate() {
+            if let Some(link) = equations.link_of(unknown) {
+                apart[unknown] = self.turns[link.0]?.degrees_from(angle.high) + angle.error();
+                self.counted[link.0] = Some(*angle);
+            }
+        }
+        for &(slider, unknown) in &equations.slides {
+            apart[unknown] = (self.slides[slider.0] - found[unknown]).largest();
+        }
+        let in_mesh = |row: &Vec<Ball>| row.iter().zip(&apart).map(|(x, apart)| x.largest() * apart).sum::<f64>();
+        rows.iter().all(|row| in_mesh(row) < HALF_TURN).then_some(())
+    }
+
+    /// The angle, in degrees, by which a wheel turns where something slides by one unit of length.
+    fn degrees_of_travel(&self, travel: &Travel) -> Ball {
+        Ball::from(360) / (self.given.number(travel.radius) * RADIANS_PER_TURN)
+    }
+
     /// The angle, in degrees, by which what has slid turns a wheel.
     fn travelled(&self, travel: &Travel) -> Ball {
         let slides = travel.slides.iter();
         let way =
             slides.fold(-self.given.number(travel.start), |way, &(id, sign)| way + self.slides[id.0].signed(sign));
-        way * Ball::from(360) / (self.given.number(travel.radius) * RADIANS_PER_TURN)
+        way * self.degrees_of_travel(travel)
     }
 
     /// Turns the bodies of the group: by unknown angles, and by what sliders make turn alike.
@@ -438,4 +506,26 @@ impl<'a> Finder<'a> {
         };
         frame.place(local)
     }
+}
+
+/// An angle by its cosine and sine, in degrees from −180 to 180, at the ends as a pose has it.
+fn principal(turn: Vector) -> Ball {
+    let degrees = principal_degrees(turn.rounded());
+    Ball::within(degrees, turn.degrees_from(degrees))
+}
+
+/// The solution of linear equations, each with its right side at its end, by elimination; `None` where a pivot may be zero.
+fn solved(mut rows: Vec<Vec<Ball>>) -> Option<Vec<Ball>> {
+    let unknowns = rows.len();
+    for at in 0..unknowns {
+        let size = |row: &usize| rows[*row][at].smallest();
+        let pivot = (at..unknowns).max_by(|a, b| size(a).total_cmp(&size(b))).filter(|row| size(row) > 0.0)?;
+        rows.swap(at, pivot);
+        let first = rows[at].clone();
+        for (_, row) in rows.iter_mut().enumerate().filter(|(other, row)| *other != at && row[at] != Ball::default()) {
+            let part = row[at] / first[at];
+            row.iter_mut().zip(&first).skip(at).for_each(|(x, pivot)| *x = *x - part * *pivot);
+        }
+    }
+    rows.iter().enumerate().map(|(at, row)| Some(*row.last()? / row[at])).collect()
 }

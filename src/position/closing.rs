@@ -1,7 +1,7 @@
 use super::frames::{Frames, pinned};
 use crate::geometry::{BoundingBox, Point, UNIT_ROUNDOFF, Vector, span};
 use crate::kernel::{Kernel, Single, Unknown, vector};
-use crate::mechanism::{BodyId, GROUND, Joint, Mechanism, PointId, SliderId};
+use crate::mechanism::{AngularConstraint, BodyId, GROUND, Joint, Mechanism, PointId, SliderId};
 
 /// Most Newton steps: from a simple root of a polynomial two or three are needed, from a double root ten.
 const STEPS: usize = 16;
@@ -41,8 +41,8 @@ struct Surroundings {
     /// The length of its shortest link that has one.
     shortest: f64,
     sliders: Vec<SliderId>,
-    /// Whether gears, or the like, relate its rotations: two or more unknown angles in one equation.
-    is_geared: bool,
+    /// Of the equations by which gears, or the like, relate its rotations: the largest sum of weights, as numbers of teeth. Zero without such.
+    weights: f64,
 }
 
 impl<'a> Closer<'a> {
@@ -100,8 +100,8 @@ impl<'a> Closer<'a> {
     /// One rounding in the gap of an assembly of the group, in the same measure as the assembly's: a part of all lengths
     /// and coordinates that its loops add up.
     pub(super) fn rounding(&self, group: usize, assembled: &Assembled) -> f64 {
-        let Surroundings { lengths, sliders, is_geared, .. } = &self.surroundings[group];
-        if *is_geared {
+        let Surroundings { lengths, sliders, weights, .. } = &self.surroundings[group];
+        if *weights > 0.0 {
             return f64::INFINITY;
         }
         let members = self.mechanism.groups[group].bodies.iter().copied();
@@ -112,6 +112,11 @@ impl<'a> Closer<'a> {
         let origins = [Point::origin(), Point::from(-self.block.origin(0))];
         let sum = own.with(origins).size() + lengths + slides;
         UNIT_ROUNDOFF * sum / self.known.joined(own).size()
+    }
+
+    /// What rounding may leave of a gap between the angles of a group's wheels: each is taken as many times as a wheel has teeth.
+    pub(super) fn rounding_of_wheels(&self, group: usize) -> f64 {
+        UNIT_ROUNDOFF * self.surroundings[group].weights
     }
 
     /// The length of a group's shortest link that has one; else infinite.
@@ -251,10 +256,14 @@ fn surroundings(mechanism: &Mechanism, origin: Vector) -> Vec<Surroundings> {
             shortest: spans.clone().filter(|&length| length > 0.0).fold(f64::INFINITY, f64::min),
             lengths: spans.sum::<f64>() + sliders.iter().map(zero).sum::<f64>(),
             sliders,
-            is_geared: group.gears(mechanism).next().is_some(),
+            weights: group.gears(mechanism).map(weights).fold(0.0, f64::max),
         }
     });
     around.collect()
+}
+
+fn weights(relation: &AngularConstraint) -> f64 {
+    relation.terms.iter().map(|(_, weight)| f64::from(*weight).abs()).sum()
 }
 
 /// Places of all points and unit directions of all guides; points of bodies without a frame are at the origin.

@@ -71,13 +71,9 @@ impl Frames {
         bodies.iter().for_each(|body| settled[body.0] = None);
     }
 
-    /// A body's angle from +x in degrees, with its whole turns where they are counted; else from −180 to 180. At the ends, where rounding
-    /// would decide, it is 180: what a wheel has turned by a ratio of teeth differs for both.
+    /// A body's angle from +x in degrees, with its whole turns where they are counted; else from −180 to 180.
     pub(super) fn degrees(&self, body: BodyId) -> Option<f64> {
-        let of_frame = || {
-            let degrees = degrees_of(self.of(body)?.rotation * Vector::x());
-            Some(if degrees < -180.0 + AT_THE_CUT { degrees + 360.0 } else { degrees })
-        };
+        let of_frame = || Some(principal_degrees(self.of(body)?.rotation * Vector::x()));
         self.counted(body).or_else(of_frame)
     }
 
@@ -127,6 +123,13 @@ impl Frames {
         let at = link * mechanism.local(slider.link, slider.at);
         Some((on.inverse() * at - through).dot(&direction))
     }
+}
+
+/// The angle of a direction from +x in degrees, from −180 to 180. At the ends, where rounding would decide, it is 180: the turns of a wheel
+/// that rolls on it differ for both.
+pub(crate) fn principal_degrees(direction: Vector) -> f64 {
+    let degrees = degrees_of(direction);
+    if degrees < -180.0 + AT_THE_CUT { degrees + 360.0 } else { degrees }
 }
 
 /// The placement with rotation `turn` that brings the point `local` to `place`.

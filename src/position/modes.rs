@@ -169,7 +169,7 @@ impl Modes<'_, '_> {
         let size = self.size(&self.places(&assembled));
         let gap = assembled.gap * (size / reach).max(1.0);
         self.smallest_gap = self.smallest_gap.min(gap);
-        if gap.is_nan() || gap > CLOSED {
+        if gap.is_nan() || gap > CLOSED.max(ROUNDINGS * self.assembler.closer.rounding_of_wheels(self.index)) {
             return false;
         }
         if group.class == Class::Higher {

@@ -1,8 +1,8 @@
 //! Groups without a loop: wheels, arms and racks whose angles and slides the meshes alone tell.
 
 use super::closing::Assembled;
-use super::frames::{Frames, pinned, placement_in_compound};
-use crate::geometry::{Point, Vector, degrees_of, turn_of_degrees};
+use super::frames::{Frames, pinned, placement_in_compound, principal_degrees};
+use crate::geometry::{Point, Vector, turn_of_degrees};
 use crate::mechanism::{AngularRate, BodyId, Group, LoopEquations, Mechanism};
 use nalgebra::{DMatrix, DVector};
 
@@ -32,7 +32,7 @@ pub(super) fn start(
                     matrix[(row, unknown)] += weight;
                     let first = equations.link_of(unknown).unwrap_or(body);
                     let within = placement_in_compound(mechanism, first, body);
-                    right[row] -= weight * degrees_of(within.rotation * Vector::x());
+                    right[row] -= weight * principal_degrees(within.rotation * Vector::x());
                 }
                 AngularRate::Known(other) => right[row] -= weight * known.degrees(other)?,
             }

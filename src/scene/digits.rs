@@ -144,10 +144,39 @@ const ANGLES: [&str; 3] = ["angle", "along", "turned"];
 /// Angles have their whole turns up to this size, up to which f64 keeps tenths of a degree.
 const TURNS_KEPT: f64 = 1e14;
 
+/// Whether the number under a key is an angle from which f64 would take degrees.
+fn loses_degrees(key: &str, text: &str) -> bool {
+    let is_angle = || ANGLES.contains(&key) || key.starts_with("angle(");
+    text.parse::<f64>().is_ok_and(|x| x.is_finite() && x.abs() > TURNS_KEPT) && is_angle()
+}
+
+/// Where an angle that loses its whole turns stands in a tree, and its text.
+pub(super) fn without_turns<'a>(value: &'a Value<'_>) -> Option<(Vec<String>, &'a str)> {
+    let inside = |name: &str, (mut path, text): (Vec<String>, &'a str)| {
+        path.insert(0, name.to_owned());
+        (path, text)
+    };
+    match value {
+        Value::Array(array) => array
+            .elements
+            .iter()
+            .enumerate()
+            .find_map(|(index, element)| Some(inside(&index.to_string(), without_turns(element)?))),
+        Value::Object(object) => object.properties.iter().find_map(|property| {
+            let name = property.name.as_str();
+            let found = match &property.value {
+                Value::NumberLit(number) => loses_degrees(name, number.value).then_some((Vec::new(), number.value)),
+                value => without_turns(value),
+            };
+            Some(inside(name, found?))
+        }),
+        _ => None,
+    }
+}
+
 /// The number under a key; of an angle so large that f64 would take degrees from it the remainder by 360, exactly.
 pub(super) fn within_a_turn<'a>(key: &str, text: &'a str) -> Cow<'a, str> {
-    let is_large = text.parse::<f64>().is_ok_and(|x| x.is_finite() && x.abs() > TURNS_KEPT);
-    if !is_large || !(ANGLES.contains(&key) || key.starts_with("angle(")) {
+    if !loses_degrees(key, text) {
         return text.into();
     }
     let (sign, size) = text.strip_prefix('-').map_or(("", text), |size| ("-", size));

@@ -258,6 +258,12 @@ pub(super) fn loads(
     fields: LoadFields,
 ) -> Result<Option<Box<Loads>>, Wrong> {
     let LoadFields { analysis, gravity, masses, forces, springs, friction } = fields;
+    let mut joints = IndexSet::new();
+    let rubbing = friction.unwrap_or_default().into_iter().enumerate().map(|(index, file)| {
+        let read = file.read(names, &mut joints);
+        read.map_err(|wrong| wrong.inside(&["friction", &index.to_string()]))
+    });
+    let rubbing: Vec<Friction> = rubbing.collect::<Result<_, _>>()?;
     // Gravity alone loads nothing, and where nothing presses, nothing rubs.
     if masses.is_empty() && forces.is_none() && springs.is_none() {
         return Ok(None);
@@ -295,11 +301,6 @@ pub(super) fn loads(
     for (index, file) in springs.into_iter().enumerate() {
         let spring = places.spring(file, &mut taken, index);
         sprung.push(spring.map_err(|wrong| wrong.inside(&["springs", &index.to_string()]))?);
-    }
-    let (mut rubbing, mut joints) = (Vec::new(), IndexSet::new());
-    for (index, file) in friction.unwrap_or_default().into_iter().enumerate() {
-        let read = file.read(names, &mut joints);
-        rubbing.push(read.map_err(|wrong| wrong.inside(&["friction", &index.to_string()]))?);
     }
     let analysis = analysis.unwrap_or_default();
     Ok(Some(Box::new(Loads { analysis, gravity, masses: read, loads, springs: sprung, friction: rubbing })))

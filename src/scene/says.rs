@@ -75,6 +75,8 @@ messages! { "scene":
     key_twice(key, line);
     number_too_large(number);
     choose_units;
+    turns_beside_gears(angle);
+    take_turns_off;
 
     // Values of a wrong kind.
     nothing;

@@ -1,5 +1,6 @@
 //! In: the text of a file. Out: its typed values, or its first error in plain words, with what to try.
 
+use super::digits::without_turns;
 use super::error::{SceneError, Source, Wrong, nearest, number, shortened, suggestion};
 use super::joint::out_of_scope;
 use super::page::Page;
@@ -29,6 +30,7 @@ pub(super) fn read_with<T: DeserializeOwned, U>(
     let read = || {
         let tree = text::tree(source, kind)?;
         let json = text::json(source, &tree, true)?;
+        keeps_turns(&tree)?;
         check_version(&json, kind)?;
         let values = T::deserialize(Reader(&json)).map_err(|Refusal { mut path, why }| {
             path.reverse();
@@ -38,6 +40,18 @@ pub(super) fn read_with<T: DeserializeOwned, U>(
         Ok((values, of(&tree)))
     };
     read().map_err(|wrong| source.error(wrong))
+}
+
+/// Refuses angles that would lose their whole turns beside gears, where a turn of one wheel is not one of the other.
+fn keeps_turns(tree: &Value<'_>) -> Result<(), Wrong> {
+    let has_gears = tree.as_object().and_then(|scene| scene.get_array("gears")).is_some_and(|gears| !gears.elements.is_empty());
+    match without_turns(tree).filter(|_| has_gears) {
+        None => Ok(()),
+        Some((path, angle)) => {
+            let path: Vec<&str> = path.iter().map(String::as_str).collect();
+            Err(Wrong::value(&path, says::turns_beside_gears(shortened(angle))).hint(says::take_turns_off()))
+        }
+    }
 }
 
 /// Checks the version before all else: a file of another version may have other keys.

@@ -794,6 +794,8 @@ scene-null = null ist hier kein Wert
 scene-key_twice = der Schlüssel `{$key}` steht doppelt: zuerst in Zeile {$line}
 scene-number_too_large = {$number} ist zu groß, um damit zu rechnen
 scene-choose_units = wählen Sie Einheiten, mit denen die Zahl kleiner als 1e100 wird
+scene-turns_beside_gears = {$angle} ist als Winkel neben Zahnrädern zu groß: seine ganzen Umdrehungen zählen und gingen verloren
+scene-take_turns_off = schreiben Sie einen Winkel unter 1e14 Grad
 
 # Values of a wrong kind.
 

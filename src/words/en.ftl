@@ -822,6 +822,8 @@ scene-null = null is not a value here
 scene-key_twice = key `{$key}` stands twice: first at line {$line}
 scene-number_too_large = {$number} is too large to compute with
 scene-choose_units = choose units that make it less than 1e100
+scene-turns_beside_gears = {$angle} is too large for an angle beside gears: its whole turns count, and they would be lost
+scene-take_turns_off = write an angle below 1e14 degrees
 
 # Values of a wrong kind.
 

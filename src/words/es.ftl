@@ -792,6 +792,8 @@ scene-null = null no es aquí un valor
 scene-key_twice = la clave `{$key}` está dos veces: primero en la línea {$line}
 scene-number_too_large = {$number} es demasiado grande para calcular con él
 scene-choose_units = elija unidades con las que sea menor que 1e100
+scene-turns_beside_gears = {$angle} es demasiado grande para un ángulo junto a engranajes: cuentan sus vueltas enteras y se perderían
+scene-take_turns_off = escriba un ángulo menor que 1e14 grados
 
 # Values of a wrong kind.
 

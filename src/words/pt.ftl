@@ -794,6 +794,8 @@ scene-null = null não é um valor aqui
 scene-key_twice = a chave `{$key}` aparece duas vezes: primeiro na linha {$line}
 scene-number_too_large = {$number} é grande demais para calcular com ele
 scene-choose_units = escolha unidades com as quais seja menor que 1e100
+scene-turns_beside_gears = {$angle} é grande demais para um ângulo junto a engrenagens: suas voltas inteiras contam e se perderiam
+scene-take_turns_off = escreva um ângulo menor que 1e14 graus
 
 # Values of a wrong kind.
 

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use std::sync::Mutex;
 use support::comparison::entries;
 use support::files;
+use support::random::Random;
 use support::stages::solved;
 use support::survey::{self, GEARED_STEP};
 use support::whole_errors::carried::Carried;
@@ -266,6 +267,78 @@ fn hold_where_another_link_has_the_angle() {
     let seen = see_all(&cases);
     println!("{} positions", cases.len());
     assert!(seen.holds(5.0 * UNBOUNDED) > 6 * cases.len(), "few rates were compared");
+}
+
+/// A train of wheels on fixed axles: the text of its scene, and the angle of each wheel in degrees as a fraction, found by the meshes in whole numbers.
+fn train(random: &mut Random) -> (String, Vec<[i128; 2]>) {
+    const ANGLES: [(&str, i128); 5] = [
+        ("30.3", 30_300),
+        ("-1234567.8", -1_234_567_800),
+        ("12345678901.25", 12_345_678_901_250),
+        ("99999999999.7", 99_999_999_999_700),
+        ("-77777777777777.3", -77_777_777_777_777_300),
+    ];
+    const PHASES: [(&str, i128); 4] = [("0", 0), ("0.3", 300), ("180.7", 180_700), ("-33.1", -33_100)];
+    let (angle, thousandths) = ANGLES[random.below(ANGLES.len())];
+    let mut angles = vec![[thousandths, 1000]];
+    let (mut ground, mut links, mut gears) = (String::from("\"P0\": [0, 0]"), String::new(), Vec::new());
+    for wheel in 1..=1 + random.below(4) {
+        let teeth = [5 + random.below(9995), 5 + random.below(9995)];
+        let (phase, of_phase) = PHASES[random.below(PHASES.len())];
+        ground += &format!(", \"P{wheel}\": [{}, 0]", 100 * wheel);
+        links += &format!(", \"L{wheel}\": {{ \"points\": [\"P{wheel}\"] }}");
+        let mesh = [format!("L{}", wheel - 1), format!("L{wheel}")];
+        gears.push(format!("{{ \"mesh\": {mesh:?}, \"teeth\": {teeth:?}, \"on\": \"ground\", \"phase\": {phase} }}"));
+        let ([over, under], [first, second]) = (angles[wheel - 1], teeth.map(|teeth| teeth as i128));
+        angles.push([of_phase * (under / 1000) * second - first * over, under * second]);
+    }
+    let scene = format!(
+        r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": {{ {ground} }},
+            "links": {{ "L0": {{ "points": ["P0"], "drive": {{ "angle": {angle}, "omega": 2 }} }}{links} }}, "gears": [{}] }}"#,
+        gears.join(", ")
+    );
+    (scene, angles)
+}
+
+/// By meshes as equations between directions a wheel may stand elsewhere by a tooth: with so many teeth and turns f64 loses which it is, and nothing may
+/// be stated of it.
+#[test]
+fn whole_turns_are_counted_or_nothing_is_stated() {
+    let mut random = Random(7);
+    let (mut stated, mut unstated) = (0, 0);
+    for number in 0..300 {
+        let (scene, angles) = train(&mut random);
+        // Where f64 has lost the turns, it is refused, too.
+        let Ok(solution) = solved(&scene) else { continue };
+        let result = serde_json::to_value(solution.result()).expect("a result is JSON");
+        for (wheel, [over, under]) in angles.into_iter().enumerate() {
+            let own = &result["links"][format!("L{wheel}")];
+            let Some(error) = own["angle_error"].as_f64() else {
+                unstated += 1;
+                continue;
+            };
+            let within_a_turn = (over % (360 * under)) as f64 / under as f64;
+            let off = (own["angle"].as_f64().expect("an angle") - within_a_turn).rem_euclid(360.0);
+            let off = off.min(360.0 - off);
+            assert!(off <= error + 1e-12, "{number}: wheel {wheel} is {off}° off, {error}° are stated: {scene}");
+            stated += 1;
+        }
+    }
+    println!("{stated} stated, {unstated} not");
+    assert!(stated > 800 && unstated > 0, "{stated} angles stated, {unstated} not");
+}
+
+#[test]
+fn angles_that_lose_their_turns_are_refused_beside_gears_alone() {
+    let train = files::read("templates/gear-train.json");
+    let mut scene: Value = serde_json::from_str(&train).expect("a scene is JSON");
+    let drive = scene["links"].as_object_mut().expect("links").values_mut().find_map(|link| link.get_mut("drive")).expect("a drive");
+    drive["angle"] = json!(1e15);
+    let told = solved(&scene.to_string()).expect_err("its turns are lost").to_string();
+    assert!(told.contains("too large for an angle beside gears"), "{told}");
+    let four_bar = files::read("templates/four-bar.json").replacen("\"angle\": 60", "\"angle\": 1e15", 1);
+    assert!(four_bar.contains("1e15"), "the angle is replaced");
+    solved(&four_bar).expect("a link comes back after a turn");
 }
 
 /// The scene with masses, forces, a table over the first link's angle and one over a slider's position, a spring and teeth that push apart.
