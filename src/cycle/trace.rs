@@ -90,6 +90,17 @@ impl Path<'_> {
             segment
         };
         self.segments = self.nodes.windows(2).map(segment).collect();
+        self.draw_back(up);
+    }
+
+    /// Leaves out positions next to an event that ends the path where rounding keeps them from being found once more.
+    fn draw_back(&mut self, up: bool) {
+        let last = |path: &Path| if up { path.high() } else { path.low() };
+        while self.ends[usize::from(up)].is_some() && self.nodes.len() > 2 && self.walker().position(last(self)).is_none() {
+            let [node, segment] = if up { [self.nodes.len(), self.segments.len()].map(|count| count - 1) } else { [0, 0] };
+            self.nodes.remove(node);
+            self.segments.remove(segment);
+        }
     }
 
     /// Whether rounded gaps of the loops move a link much further than rounding of the drive does, as next to a change
