@@ -136,7 +136,8 @@ impl<'a> Bounds<'a> {
     /// That of a number that the scene gives, or that a drive has been given since.
     fn of_given(&self, value: f64) -> f64 {
         let written = self.scene.as_written_or_printed(value);
-        if self.scene.is_written(value) || written == Ball::decimal(value) { 0.0 } else { written.error_from(value) }
+        let is_printed_alike = self.scene.is_written(value) || written == Ball::decimal(value);
+        if is_printed_alike { 0.0 } else { written.error_from(value) + of_printing(value) }
     }
 
     /// The larger of the bounds of both components.

@@ -11,13 +11,13 @@ use super::sentence::Teller;
 use super::step::Action;
 use super::writer::Writer;
 use crate::centers::LinkPair;
-use crate::forces::{AtPose, Forces, forces, warnings_of_friction};
+use crate::forces::{AtPose, Forces, forces, warnings_of_forces};
 use crate::mechanism::says::off_guide;
 use crate::mechanism::{AngularRate, BodyId, GROUND, Group, LoopEquations, Mechanism, PointId};
 use crate::message::Message;
 use crate::motion::{Motion, MotionError, motion};
 use crate::position::Pose;
-use crate::scene::{CentersShown, ConstructionShown, Figure, Scene};
+use crate::scene::{CentersShown, ConstructionShown, Figure, Loads, Scene};
 use crate::sheet::{Order, Sheet};
 use crate::words::{Language, Wording};
 
@@ -104,10 +104,10 @@ impl Solution {
         let words = Wording { language, ..Wording::default() };
         let without = self.construction.without().map(move |far| plain_text(&no_construction(&words, far)));
         let own = Wording { language, ..self.wording() };
-        let friction = self.mechanism.loads.as_ref().filter(|loads| !loads.0.friction.is_empty());
-        let friction =
-            friction.and_then(|_| warnings_of_friction(&self.mechanism, &AtPose::new(&self.mechanism, &self.pose)));
-        let friction = friction.into_iter().map(|warning| language.says(&warning));
+        let may_warn = |loads: &Loads| !loads.friction.is_empty() || !loads.springs.is_empty();
+        let forces = self.mechanism.loads.as_ref().filter(|loads| may_warn(&loads.0));
+        let forces = forces.and_then(|_| warnings_of_forces(&self.mechanism, &AtPose::new(&self.mechanism, &self.pose)));
+        let forces = forces.into_iter().map(|warning| language.says(&warning));
         let centers = self.construction.centers.as_deref();
         let centers = centers.map(|centers| missing_of_centers(centers, &self.mechanism, &own)).unwrap_or_default();
         let centers = centers.into_iter().map(|sentence| plain_text(&sentence));
@@ -116,7 +116,7 @@ impl Solution {
         let is_asked = self.scene.figure.shown_panels().contains(&Sheet::Speeds);
         let speeds = Teller::new(self, &own).missing_of_speeds(is_asked).into_iter();
         let speeds = speeds.map(|sentence| plain_text(&sentence));
-        found.chain(without).chain(centers).chain(speeds).chain(friction)
+        found.chain(without).chain(centers).chain(speeds).chain(forces)
     }
 }
 

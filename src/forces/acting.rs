@@ -327,6 +327,17 @@ impl LoadList {
         Some(all)
     }
 
+    /// The springs with a length of their own whose ends may meet here, so that their force has no direction.
+    pub(super) fn collapsed_springs(&self, posed: &impl Posed<Ball>) -> Vec<usize> {
+        let here = Here { posed, numbers: PhantomData };
+        let collapsed = |spring: &PlacedSpring| {
+            let [from, to] = spring.ends.map(|(body, at)| here.place(body, at));
+            spring.length != 0.0 && [(to - from).x, (to - from).y].iter().all(|x| x.smallest() == 0.0)
+        };
+        let springs = self.springs.iter().enumerate();
+        springs.filter(|(_, spring)| collapsed(spring)).map(|(index, _)| index).collect()
+    }
+
     /// The weight and the inertia of a link.
     fn masses<N: Counted, P: Posed<N>>(
         &self,

@@ -39,7 +39,7 @@ pub mod says;
 
 use acting::LoadList;
 pub use acting::Source;
-pub(crate) use acting::{center, friction_circles, places_of_loads, rubbed_joints, spring_ends};
+pub(crate) use acting::{Acting, center, friction_circles, places_of_loads, rubbed_joints, spring_ends};
 pub use carried::{Agreement, Drive, Forces};
 pub use compiled::Compiled;
 pub(crate) use equilibrium::{driven, own_joint};
@@ -280,9 +280,17 @@ pub(crate) fn forces(mechanism: &Mechanism, posed: &(impl Posed<Ball> + Places))
     Some(Forces { drives, ..forces })
 }
 
-/// What is to be said of friction at a pose: that it locks, or that it counts as nothing in joints at rest.
-pub(crate) fn warnings_of_friction(mechanism: &Mechanism, posed: &(impl Posed<Ball> + Places)) -> Option<Message> {
-    let list = LoadList::new(mechanism).filter(|list| !list.friction.is_empty())?;
+/// Why forces are not shown at a pose, or what their errors allow for: a spring without length has no direction, friction locks or leaves
+/// forces open, or counts as nothing in joints at rest.
+pub(crate) fn warnings_of_forces(mechanism: &Mechanism, posed: &(impl Posed<Ball> + Places)) -> Option<Message> {
+    let list = LoadList::new(mechanism)?;
+    if let Some(&spring) = list.collapsed_springs(posed).first() {
+        let (loads, _) = &**mechanism.loads.as_ref()?;
+        return Some(says::spring_without_direction(&loads.springs[spring].name));
+    }
+    if list.friction.is_empty() {
+        return None;
+    }
     let at_rest = friction::at_rest(mechanism, posed, &list);
     let name = |joint: JointId| {
         let joint = mechanism.joint(joint);

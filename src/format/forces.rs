@@ -250,14 +250,16 @@ fn drives(solution: &Solution, forces: &Forces, bounds: &Bounds<'_>) -> IndexMap
     let drive = |(index, (name, drive)): (usize, (String, &crate::forces::Drive))| {
         let effort = drive.effort.high;
         let powers = forces.acting.iter().zip(&drive.powers);
-        let powers = powers.filter(|(load, _)| load.body != crate::mechanism::GROUND);
+        let mut by_name = IndexMap::new();
+        for (load, power) in powers.filter(|(load, _)| load.body != crate::mechanism::GROUND) {
+            // Friction from several links at one pin has one name on the link in which the pin is fixed.
+            *by_name.entry(load.source.name(&solution.mechanism, load.body)).or_insert(0.0) += power.high;
+        }
         let result = DriveResult {
             torque: drive.body.map(|_| effort),
             force: drive.slider.map(|_| effort),
             error: bounds.of_force(effort, |f, _| f.drives.get(index).map(|drive| drive.effort)),
-            powers: powers
-                .map(|(load, power)| (load.source.name(&solution.mechanism, load.body), power.high))
-                .collect(),
+            powers: by_name,
         };
         (name, result)
     };

@@ -8,6 +8,7 @@ use crate::mechanism::{BodyId, Class, GROUND, JointId, Mechanism, PointId, Role,
 use crate::message::Message;
 use crate::scene::{Analysis, Head, Loads, QuantityName};
 use crate::text::shown;
+use indexmap::IndexSet;
 
 /// A force, a moment, or what belongs to one.
 #[derive(Clone, Debug)]
@@ -114,6 +115,15 @@ impl LoadOf {
         self.source.name(mechanism, self.body)
     }
 
+    /// Whether a load from there on a body has this name, or is a part of what has it.
+    pub(super) fn is(&self, mechanism: &Mechanism, source: Source, body: BodyId) -> bool {
+        let pin = |source: Source| match source {
+            Source::Friction(joint) => mechanism.joint(joint).pin,
+            _ => None,
+        };
+        body == self.body && (source == self.source || pin(source).is_some() && pin(source) == pin(self.source))
+    }
+
     /// All loads of a mechanism, weights and inertia of its links first.
     fn all(mechanism: &Mechanism, loads: &Loads) -> Vec<LoadOf> {
         let mut all = Vec::new();
@@ -140,6 +150,8 @@ impl LoadOf {
                 add(Source::Friction(joint), Some(body));
             }
         }
+        let mut taken = IndexSet::new();
+        all.retain(|load| taken.insert(load.name(mechanism)));
         all
     }
 }

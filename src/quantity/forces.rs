@@ -6,7 +6,7 @@ use super::name::{QuantityRequest, Spot, What};
 use super::says;
 use super::value::{Quantity, Reader, State};
 use super::ways::ForceWay;
-use crate::forces::{Compiled, Counted, Forces, Posed, Source, center};
+use crate::forces::{Acting, Compiled, Counted, Forces, Posed, Source, center};
 use crate::geometry::{Pair, Point, Several, Vector};
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use std::cell::OnceCell;
@@ -35,6 +35,8 @@ impl ForceOf {
     ) -> Option<ForceRead<N>> {
         use ForceRead::{Number, Vector};
         let load = |of: &LoadOf| forces.load(of.source, of.body);
+        // At a pin of several links friction acts from each of the others on the link in which the pin is fixed.
+        let alike = |of: LoadOf| forces.acting.iter().filter(move |load| of.is(mechanism, load.source, load.body));
         let inertia = |body: BodyId| forces.load(Source::Inertia, body);
         Some(match *self {
             ForceOf::Reaction(pin, body) => Vector(forces.at_pin(mechanism, pin, body)?),
@@ -55,8 +57,9 @@ impl ForceOf {
             ForceOf::FrictionCouple(pin, body) => Number(forces.friction_at_pin(mechanism, pin, body)),
             ForceOf::CenterAcceleration(link) => Vector(posed.acceleration(link, center(mechanism, posed, link)?)),
             ForceOf::LoadMoment(ref of, _) => {
-                let load = load(of)?;
-                Number((load.at - about?).cross(load.force) + load.couple)
+                let about = about?;
+                let moment = |load: &Acting<N>| (load.at - about).cross(load.force) + load.couple;
+                Number(alike(*of).map(moment).reduce(|sum, moment| sum + moment)?)
             }
             ForceOf::Arm(ref of, ref point) => {
                 let about = match point {
@@ -72,9 +75,11 @@ impl ForceOf {
             }
             ForceOf::Load(ref of) => Vector(load(of)?.force),
             ForceOf::Power(ref of) => {
-                let load = load(of)?;
-                let (velocity, omega) = posed.rates(load.body, load.at);
-                Number(load.force.dot(velocity) + load.couple * omega)
+                let power = |load: &Acting<N>| {
+                    let (velocity, omega) = posed.rates(load.body, load.at);
+                    load.force.dot(velocity) + load.couple * omega
+                };
+                Number(alike(*of).map(power).reduce(|sum, power| sum + power)?)
             }
             ForceOf::Shaking => Vector(forces.frame.force),
             ForceOf::ShakingMoment(_) => Number(forces.frame_moment(mechanism, posed, about?)),

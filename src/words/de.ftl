@@ -1375,6 +1375,7 @@ quantity-no_scale_in_table = eine Tabelle hat keinen Maßstab
 
 ## Errors and warnings: forces
 
+forces-spring_without_direction = die Enden der Feder {$spring} fallen in dieser Stellung zusammen, so dass ihre Kraft keine Richtung hat: es werden keine Kräfte gezeigt
 forces-friction_locks = die Reibung sperrt das Getriebe in dieser Lage: kein Antrieb bewegt es in diese Richtung, daher gibt es keine Kräfte
 forces-friction_at_rest = in Ruhe kann die Reibung alles bis zu ihrer Grenze sein: in {$joints} zählt sie nicht, und die angegebenen Fehler lassen sie ganz zu
 forces-friction_leaves_open = in Ruhe kann die Reibung alles bis zu ihrer Grenze sein, und die in {$joints} lässt offen, was Gelenke tragen: es gibt keine Kräfte

@@ -1407,6 +1407,7 @@ quantity-no_scale_in_table = a table has no scale
 
 ## Errors and warnings: forces
 
+forces-spring_without_direction = the ends of spring {$spring} meet in this position, so that its force has no direction: no forces are shown
 forces-friction_locks = friction locks the mechanism in this position: no drive moves it this way, so no forces are shown
 forces-friction_at_rest = at rest, friction may be anything up to its limit: it counts as nothing in {$joints}, and the stated errors allow all of it
 forces-friction_leaves_open = at rest, friction may be anything up to its limit, and that of {$joints} leaves open what joints carry: no forces are shown

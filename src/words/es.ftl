@@ -1373,6 +1373,7 @@ quantity-no_scale_in_table = una tabla no tiene escala
 
 ## Errors and warnings: forces
 
+forces-spring_without_direction = los extremos del resorte {$spring} coinciden en esta posición, de modo que su fuerza no tiene dirección: no se muestran fuerzas
 forces-friction_locks = el rozamiento bloquea el mecanismo en esta posición: ningún accionamiento lo mueve en este sentido, así que no se muestran fuerzas
 forces-friction_at_rest = en reposo el rozamiento puede ser cualquiera hasta su límite: en {$joints} cuenta como nulo, y los errores indicados lo admiten entero
 forces-friction_leaves_open = en reposo el rozamiento puede ser cualquiera hasta su límite, y el de {$joints} deja abierto lo que llevan los pares: no se muestran fuerzas

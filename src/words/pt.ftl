@@ -1375,6 +1375,7 @@ quantity-no_scale_in_table = uma tabela não tem escala
 
 ## Errors and warnings: forces
 
+forces-spring_without_direction = as extremidades da mola {$spring} coincidem nesta posição, de modo que a sua força não tem direção: não se mostram forças
 forces-friction_locks = o atrito bloqueia o mecanismo nesta posição: nenhum acionamento o move neste sentido, pelo que não se mostram forças
 forces-friction_at_rest = em repouso o atrito pode ser qualquer um até ao seu limite: em {$joints} conta como nulo, e os erros indicados admitem-no todo
 forces-friction_leaves_open = em repouso o atrito pode ser qualquer um até ao seu limite, e o de {$joints} deixa em aberto o que as juntas suportam: não se mostram forças

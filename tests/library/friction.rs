@@ -97,8 +97,9 @@ fn a_pin_of_three_links_rubs_on_the_link_in_which_it_is_fixed() {
         let arms = ["B", "D", "E"].map(|end| place("C") - place(end));
         let omega = names.map(|link| number(&format!("omega({link})")));
         let mut forces = [nalgebra::Vector2::zeros(); 3];
+        let mut couples = [0.0; 3];
         for _ in 0..200 {
-            let mut couples = [0.0; 3];
+            couples = [0.0; 3];
             for link in (0..3).filter(|link| *link != fixed) {
                 couples[link] = -rho * forces[link].norm() * (omega[link] - omega[fixed]).signum();
                 couples[fixed] -= couples[link];
@@ -119,7 +120,13 @@ fn a_pin_of_three_links_rubs_on_the_link_in_which_it_is_fixed() {
         let torque = -(crank.x * forces[0].y - crank.y * forces[0].x);
         for (link, name) in names.iter().enumerate() {
             is_about(number(&format!("R(C,{name}).x")), forces[link].x, "R(C)");
+            // Both others rub on the one in which the pin is fixed.
+            is_about(number(&format!("power(friction(C,{name}))")), couples[link] * omega[link], "what friction takes");
         }
+        let result = serde_json::to_value(solution.result()).expect("a result is JSON");
+        let drive = &result["forces"]["drives"]["1"];
+        let powers = drive["powers"].as_object().expect("powers by load").values();
+        is_about(-powers.map(|power| power.as_f64().expect("a number")).sum::<f64>(), torque, "the sum of powers");
         is_about(number("T(1)"), torque, "the torque");
         let agreement = solution.forces().expect("there are some").agreement();
         assert!(agreement.difference <= agreement.allowed, "{agreement:?}");

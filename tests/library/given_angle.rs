@@ -191,3 +191,21 @@ fn a_pushed_piston_is_placed_by_its_crank() {
     assert!((piston.x - truth).abs() < 1e-12 * truth && piston.y.abs() < 1e-12);
     assert!((pose.slides[0].expect("a position") - truth).abs() < 1e-12 * truth);
 }
+
+/// Numbers are printed as the shortest text that reads as their f64, of which the text of the scene may have more digits: the bound is one of what is
+/// printed, too.
+#[test]
+fn the_bound_of_a_given_angle_holds_for_its_printed_digits() {
+    // 4.49e-15 more than the printed 107.90317726417761.
+    let scene = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [160, 0] },
+        "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "omega": 10 } },
+                   "2": { "points": ["B", "C"], "lengths": { "BC": 140 } },
+                   "3": { "points": ["D", "C"], "lengths": { "CD": 110 }, "angle": 107.90317726417761449 } },
+        "near": { "B": [50, 40], "C": [150, 110] } }"#;
+    let solution = support::stages::solved(scene).expect("a four-bar");
+    let result = serde_json::to_value(solution.result()).expect("a result is JSON");
+    let third = &result["links"]["3"];
+    assert_eq!(third["angle"].to_string(), "107.90317726417761");
+    let error = third["angle_error"].as_f64().expect("a bound");
+    assert!((4.49e-15..2e-14).contains(&error), "{error:e}");
+}

@@ -48,3 +48,17 @@ fn they_end_where_the_scene_fixes_them() {
         }
     }
 }
+
+/// With a length of its own it pulls towards the other end; where that is the same place there is no such direction, and forces are left out with
+/// the reason.
+#[test]
+fn a_spring_whose_ends_meet_is_named() {
+    let met = |length: f64| {
+        let mut scene = sprung(37.0, &json!(["scheme", "velocity"]));
+        scene["springs"] = json!([{ "between": [["1", "B"], ["2", "B"]], "rate": 1.5, "length": length }]);
+        solution(&scene).warnings().collect::<Vec<_>>()
+    };
+    let told = met(40.0);
+    assert!(told.iter().any(|warning| warning.contains("spring K1 meet")), "{told:?}");
+    assert_eq!(met(0.0), Vec::<String>::new(), "without a length of its own it pulls with nothing");
+}

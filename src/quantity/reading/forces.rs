@@ -69,8 +69,12 @@ impl Reader<'_> {
     fn power(&self, of: LoadOf) -> Result<NumberId, Unread> {
         let construction = &self.writer.construction;
         let plan = construction.forces.as_deref().ok_or(Unread::NotDrawn)?;
-        let is_it = |load: &LoadShown| load.source == of.source && load.body == of.body;
-        let index = plan.loads.iter().position(is_it).ok_or(Unread::NotDrawn)?;
+        let mut parts = (0..plan.loads.len()).filter(|&index| {
+            let load = &plan.loads[index];
+            of.is(&self.writer.mechanism, load.source, load.body)
+        });
+        // The lever has each part by itself, and no line for their sum.
+        let (Some(index), None) = (parts.next(), parts.next()) else { return Err(Unread::NotDrawn) };
         let mut powers = construction.levers.iter().flat_map(|lever| &lever.powers);
         let found = powers.find(|power| power.load == index && power.name.is_some());
         found.map(|power| power.number).ok_or(Unread::NotDrawn)
