@@ -151,7 +151,10 @@ impl Check {
 
     pub(super) fn solved(&self, scene: &Path) -> Result<Solution, Failure> {
         let source = files::read(scene)?;
-        solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
+        let override_figure = |figure: &mut Figure| self.words.put_into(figure);
+        let solution = solve(&source, SizeLimit::HAND, self.mode.number, override_figure, |_| Order::Acceleration)?;
+        source.checked(solution.check_form())?;
+        Ok(solution)
     }
 
     /// Reads one form, or a drawing.

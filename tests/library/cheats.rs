@@ -298,3 +298,20 @@ fn values_that_nothing_explains_are_no_bad_hand() {
     let verdicts = |checked: &kinegon::check::Checked| checked.values.iter().map(|v| v.verdict).collect::<Vec<_>>();
     assert_eq!(verdicts(&checked), verdicts(&strict));
 }
+
+/// A scene's form that asks for what is not there lets nothing pass, whatever else it asks for.
+#[test]
+fn what_no_step_finds_lets_nothing_pass() {
+    let scene = files::read("templates/four-bar.json");
+    let exact = solved(&scene).expect("a sound scene").quantity("omega(3)").expect("it turns").as_number();
+    for asked in [r#""omega(9)": 1"#, r#""omega(3)": 1, "vplan(x,y)": 3"#, r#""omega(3)": 1, "v(B)": 1"#] {
+        let solution =
+            solved(&scene.replacen('{', &format!(r#"{{ "form": {{ {asked} }},"#), 1)).expect("a sound scene");
+        let key = answer_key(&solution, 1);
+        let form = format!(
+            r#"{{ "kinegon_measured": 1, "positive": "counter-clockwise", "values": {{ "L(A,D)": 160, "omega(3)": {exact} }} }}"#
+        );
+        let checked = kinegon::check::check(&Measured::read_json(&form).expect("a form"), &key).expect("understood");
+        assert!(!checked.is_passed() && checked.is_nothing_off(), "{asked}: {:?}", checked.missing);
+    }
+}
