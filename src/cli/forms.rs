@@ -121,7 +121,7 @@ impl ExerciseFiles {
 
     /// Its own marking scheme, if it has one.
     pub(super) fn marks(&self) -> Option<PathBuf> {
-        self.folder.as_ref().map(|folder| folder.join("marks.json")).filter(|marks| marks.is_file())
+        self.folder.as_ref().map(|folder| folder.join("marks.json")).filter(|marks| is_there(marks))
     }
 
     /// Its files that are no forms.
@@ -143,7 +143,7 @@ impl ExerciseFolder {
     pub(super) fn read(folder: &Path) -> Result<ExerciseFolder, Failure> {
         let scene = folder.join("scene.json");
         let mut all = Vec::new();
-        if scene.is_file() {
+        if is_there(&scene) {
             let place = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
             all.push(ExerciseFiles { name: name(place.file_name()), scene, folder: Some(folder.to_owned()) });
         } else {
@@ -151,11 +151,16 @@ impl ExerciseFolder {
         }
         for exercise in &all {
             let read = [Some(exercise.scene.clone()), exercise.marks()].into_iter().flatten();
-            if let Some(outside) = read.into_iter().find(|file| files::leads_outside(file, folder)) {
-                return refuse(
-                    format!("{} is a link to a file outside of its folder, which is not read", outside.display()),
-                    "put a copy of the file there",
-                );
+            for file in read {
+                if files::leads_outside(&file, folder) {
+                    return refuse(
+                        format!("{} is a link to a file outside of its folder, which is not read", file.display()),
+                        "put a copy of the file there",
+                    );
+                }
+                if let Err(why) = files::regular(&file) {
+                    return refuse(format!("{} {why}", file.display()), "put a file there, or take it away");
+                }
             }
         }
         all.sort_by(|a, b| a.name.cmp(&b.name));
@@ -246,16 +251,21 @@ impl ExerciseFolder {
     }
 }
 
+/// Whether a name stands in a folder, whatever it leads to.
+fn is_there(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok()
+}
+
 /// The exercise at a path, if one is there.
 fn exercise(path: &Path) -> Option<ExerciseFiles> {
     if is_hidden(path) {
         return None;
     }
     let inside = path.join("scene.json");
-    if inside.is_file() {
+    if is_there(&inside) {
         return Some(ExerciseFiles { name: name(path.file_name()), scene: inside, folder: Some(path.to_owned()) });
     }
-    (has_ending(path, &["json"]) && path.is_file() && is_scene(path)).then(|| ExerciseFiles {
+    (has_ending(path, &["json"]) && !path.is_dir() && is_scene(path)).then(|| ExerciseFiles {
         name: name(path.file_stem()),
         scene: path.to_owned(),
         folder: None,
@@ -264,6 +274,9 @@ fn exercise(path: &Path) -> Option<ExerciseFiles> {
 
 /// Whether a file is a scene, or one that cannot be read: marking schemes, forms, keys and reports are none.
 fn is_scene(path: &Path) -> bool {
+    if files::regular(path).is_err() {
+        return true;
+    }
     let Ok(source) = files::read(path) else {
         return true;
     };

@@ -210,7 +210,7 @@ fn photos_below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     for path in files::entries(folder)? {
         if fs::symlink_metadata(&path).is_ok_and(|found| found.is_dir()) {
             let inside = files::entries(&path)?.into_iter();
-            photos.extend(inside.filter(|path| path.is_file() && is_photograph(path)));
+            photos.extend(inside.filter(|path| is_photograph(path)));
         } else if is_photograph(&path) {
             photos.push(path);
         }

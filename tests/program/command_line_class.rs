@@ -202,6 +202,36 @@ fn a_pipe_is_not_waited_for() {
     assert!(rows(&stdout(&output))[0]["message"].contains("special"));
 }
 
+/// A pipe in place of a file of an exercise is neither waited for nor passed over.
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_no_file_of_an_exercise() {
+    let folder = scratch("class-exercise-pipe");
+    let [exercises, forms] = ["exercises", "forms"].map(|name| folder.join(name));
+    std::fs::create_dir_all(exercises.join("one")).expect("made");
+    std::fs::create_dir_all(exercises.join("other")).expect("made");
+    std::fs::create_dir_all(&forms).expect("made");
+    std::fs::copy(FOUR_BAR, exercises.join("one/scene.json")).expect("copied");
+    std::fs::copy(FOUR_BAR, exercises.join("other/scene.json")).expect("copied");
+    std::fs::write(forms.join("one.csv"), "omega(2),-2.424\n").expect("written");
+    for file in ["one/marks.json", "other/scene.json", "x.json"] {
+        let path = exercises.join(file);
+        drop(std::fs::remove_file(&path));
+        assert!(std::process::Command::new("mkfifo").arg(&path).status().expect("mkfifo runs").success());
+        for given in [exercises.as_path(), path.parent().expect("a folder")] {
+            let output = run(given.to_str().expect("UTF-8"), &forms, &[]);
+            assert_eq!(output.status.code(), Some(2), "{file}: {}", stdout(&output));
+            assert!(
+                stderr(&output).contains(file) && stderr(&output).contains("is a pipe or a device"),
+                "{}",
+                stderr(&output)
+            );
+        }
+        std::fs::remove_file(&path).expect("removed");
+        std::fs::copy(FOUR_BAR, exercises.join("other/scene.json")).expect("copied");
+    }
+}
+
 /// What a student's link leads to outside of its folder is not read: neither a form, a drawing nor a photograph, nor a file of an exercise.
 #[cfg(unix)]
 #[test]

@@ -155,6 +155,29 @@ fn photographs_of_several_exercises_are_a_class() {
     assert_eq!(stdout(&accepted), checked, "{}", stderr(&accepted));
 }
 
+/// A pipe among photographs is not waited for: it has a row, wherever it lies.
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_no_photograph() {
+    let folder = scratch("photo-pipe");
+    let class = folder.join("photos");
+    std::fs::create_dir_all(class.join("Bo")).expect("a folder");
+    let scene = folder.join("scene.json");
+    std::fs::write(&scene, files::read("templates/four-bar.json")).expect("it is written");
+    for pipe in ["Ana.jpg", "Bo/1.jpg"] {
+        let made = std::process::Command::new("mkfifo").arg(class.join(pipe)).status();
+        assert!(made.expect("mkfifo runs").success());
+    }
+    let out = folder.join("out");
+    let output = check(&scene, &[class.to_str().expect("a path"), "-o", out.to_str().expect("a path")]);
+    let text = stdout(&output);
+    assert_eq!(output.status.code(), Some(2), "{text}{}", stderr(&output));
+    assert_eq!(text.lines().filter(|line| line.contains("is a pipe or a device")).count(), 2, "{text}");
+    let alone = check(&scene, &[class.join("Ana.jpg").to_str().expect("a path")]);
+    assert_eq!(alone.status.code(), Some(2));
+    assert!(stderr(&alone).contains("is a pipe or a device"), "{}", stderr(&alone));
+}
+
 #[test]
 fn files_that_are_no_pictures_get_one_message() {
     let (folder, scene, photos) = photographs("photo-hostile");
