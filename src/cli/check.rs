@@ -216,7 +216,8 @@ impl Check {
     fn class(&self, folder: &Path, solution: &Solution) -> Result<(), Failure> {
         let marks = self.marks.as_deref().map(GivenMarks::read).transpose()?;
         let report = self.report()?;
-        let others: Vec<PathBuf> = self.marks.iter().chain([&self.scene, &report.0]).cloned().collect();
+        let mut others = ExerciseFiles::of_scene(&self.scene).others();
+        others.extend(self.marks.iter().chain([&report.0]).cloned());
         let form = |path: PathBuf| Form { file: file_name(&path, folder), path, exercise: Ok(0) };
         let forms: Vec<Form> = forms(folder, false, &others)?.into_iter().map(form).collect();
         let with_centers = with_centers(solution, &forms);

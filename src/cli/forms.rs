@@ -1,5 +1,6 @@
 //! The forms in a folder, and the exercises in another to which they belong.
 
+use super::feedback::is_page;
 use super::files;
 use super::message::{Failure, Source, refuse};
 use super::pieces::caught;
@@ -8,16 +9,17 @@ use crate::scene::nearest;
 use crate::text::{Untrusted, shown};
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// The forms of a folder, ordered by path: all files in `.json` or `.csv` except hidden ones and `others`. What has such a
-/// name and is no file is among them, so that a row says so.
+/// What was handed in in a folder, ordered by path: forms, which are all files in `.json` or `.csv`, and what cannot be read as one, so that a
+/// row says so; without `others`. Refuses a folder without forms.
 ///
 /// With `below` those of the folders in it, too. Links to folders are not followed; a folder in it that cannot be listed is
 /// itself among the forms, so that a row says so.
 pub(super) fn forms(folder: &Path, below: bool, others: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let others: BTreeSet<PathBuf> = others.iter().filter_map(|file| file.canonicalize().ok()).collect();
-    let (mut forms, mut folders) = (Vec::new(), vec![folder.to_owned()]);
+    let (mut forms, mut unread, mut folders) = (Vec::new(), Vec::new(), vec![folder.to_owned()]);
     while let Some(inside) = folders.pop() {
         let entries = match files::entries(&inside) {
             Err(_) if inside != folder => {
@@ -29,16 +31,21 @@ pub(super) fn forms(folder: &Path, below: bool, others: &[PathBuf]) -> Result<Ve
         for path in entries.into_iter().filter(|path| !is_hidden(path)) {
             if below && fs::symlink_metadata(&path).is_ok_and(|found| found.is_dir()) {
                 folders.push(path);
-            } else if has_ending(&path, &["json", "csv"])
-                && !path.canonicalize().is_ok_and(|path| others.contains(&path))
-            {
+            } else if path.canonicalize().is_ok_and(|path| others.contains(&path)) {
+                continue;
+            } else if is_form(&path) {
                 forms.push(path);
+            } else if is_handed_in(&path) {
+                unread.push(path);
             }
         }
     }
-    forms.sort();
     match forms.is_empty() {
-        false => Ok(forms),
+        false => {
+            forms.append(&mut unread);
+            forms.sort();
+            Ok(forms)
+        }
         true => refuse(
             format!("{} has no forms to check, and no photographs", folder.display()),
             "files that end in `.json` or `.csv` are forms, those in `.jpg` or `.png` photographs of sheets; `kinegon check SCENE --template` writes an empty form",
@@ -53,6 +60,36 @@ pub(super) fn has_ending(path: &Path, endings: &[&str]) -> bool {
 
 fn is_hidden(path: &Path) -> bool {
     path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'))
+}
+
+/// Whether a file's name is that of a form.
+fn is_form(path: &Path) -> bool {
+    has_ending(path, &["json", "csv"])
+}
+
+/// Whether a file that is no form was handed in all the same. Folders are not, hidden files, what systems, editors and teachers put beside
+/// forms, and what this program writes there: pictures over photographs and drawings, reports, pages for the students.
+pub(super) fn is_handed_in(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let is_beside = ["readme", "~$"].iter().any(|start| name.starts_with(start))
+        || ["thumbs.db", "desktop.ini"].contains(&name.as_str());
+    let is_picture =
+        has_ending(path, &["png", "pdf", "svg", "tex"]) && (stem.ends_with("-check") || stem.contains("-check-values"));
+    let is_own = || {
+        (has_ending(path, &["jsonl", "ndjson"]) && path.is_file() && is_report(path))
+            || (has_ending(path, &["html", "pdf"]) && is_page(path))
+    };
+    !(path.is_dir() || is_hidden(path) || is_beside || is_picture || is_own())
+}
+
+/// Whether a file is a report on a class.
+pub(super) fn is_report(path: &Path) -> bool {
+    let mut start = Vec::new();
+    let read = fs::File::open(path).and_then(|f| f.take(64).read_to_end(&mut start));
+    let start = String::from_utf8_lossy(&start);
+    let starts = ["file,name,passed,", "file,exercise,name,passed,", "{\n  \"kinegon_class\"", "{\"file\":"];
+    read.is_ok() && starts.iter().any(|known| start.starts_with(known))
 }
 
 /// The values of a form: JSON if it begins with a bracket and the file's name does not end in `.csv`, else CSV.
@@ -86,6 +123,12 @@ pub(super) fn text_in_folder(path: &Path) -> Result<Source, String> {
         }
         let what = if found.is_dir() { "a folder" } else { "special" };
         return Err(format!("it is {what}, no file with values"));
+    }
+    if !is_form(path) {
+        return Err(
+            "it is no form: forms end in `.json` or `.csv`, and photographs are read from a folder without forms"
+                .to_owned(),
+        );
     }
     let text = caught(|| files::read_form(path))?;
     text.map_err(|failure| failure.line(&path.display().to_string()))
@@ -124,13 +167,19 @@ impl ExerciseFiles {
         self.folder.as_ref().map(|folder| folder.join("marks.json")).filter(|marks| is_there(marks))
     }
 
-    /// Its files that are no forms.
-    pub(super) fn others(&self) -> impl Iterator<Item = PathBuf> {
-        let beside = self
-            .folder
-            .iter()
-            .flat_map(|folder| ["key.json", "key-drawing.json", "marks.json"].map(|name| folder.join(name)));
-        [self.scene.clone()].into_iter().chain(beside)
+    /// Its files that nobody has handed in: the scene, and beside `scene.json` the key, the marks and the sheets.
+    pub(super) fn others(&self) -> Vec<PathBuf> {
+        let mut all = vec![self.scene.clone()];
+        if let Some(folder) = self.scene.parent().filter(|_| self.scene.ends_with("scene.json")) {
+            all.extend(["key.json", "key-drawing.json", "marks.json"].map(|name| folder.join(name)));
+            let is_sheet = |path: &PathBuf| {
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                has_ending(path, &["svg", "pdf"]) && ["sheet", "key"].iter().any(|start| name.starts_with(start))
+            };
+            let folder = if folder == Path::new("") { Path::new(".") } else { folder };
+            all.extend(files::entries(folder).unwrap_or_default().into_iter().filter(is_sheet));
+        }
+        all
     }
 }
 

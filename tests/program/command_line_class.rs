@@ -154,9 +154,18 @@ fn broken_files_are_rows() {
     write("h.json", br#"{ "kinegon_measured": 1, "name": "=HYPERLINK(\"x\")", "values": { "vplan(p,b)": 600 } }"#);
     let long = format!("quantity,value\n{}(3),1\n", "x".repeat(1 << 20));
     write("i.csv", long.as_bytes());
-    // Of no concern: hidden, other endings, subfolders.
+    // What is handed in with another ending is not read, and says so.
+    write("j.txt", good);
+    write("k.xlsx", b"PK\x03\x04\x00\x01");
+    write("l.jpg", b"\xff\xd8\xff");
+    write("m", good);
+    // Of no concern: hidden, what systems and this program put there, subfolders.
     write(".hidden.json", b"{}");
-    write("notes.txt", b"x");
+    for own in ["README", "readme.md", "Thumbs.db", "desktop.ini", "~$k.xlsx", "Ana-2-check.png"] {
+        write(own, b"x");
+    }
+    write("report.jsonl", b"{\"file\":\"a.JSON\"}\n");
+    write("a.html", format!("<!-- {} -->", kinegon::format::FEEDBACK_MARK).as_bytes());
     std::fs::create_dir(folder.join("sub")).expect("made");
     std::fs::write(folder.join("sub/z.json"), good).expect("written");
     let output = run(FOUR_BAR, &folder, &["--depth", "1"]);
@@ -164,7 +173,10 @@ fn broken_files_are_rows() {
     let text = stdout(&output);
     let rows = rows(&text);
     let names: Vec<&str> = rows.iter().map(|row| row["file"].as_str()).collect();
-    let expected = ["a.JSON", "b.csv", "c.csv", "d.csv", "e.json", "f.json", "g.csv", "h.json", "i.csv"];
+    let expected = [
+        "a.JSON", "b.csv", "c.csv", "d.csv", "e.json", "f.json", "g.csv", "h.json", "i.csv", "j.txt", "k.xlsx",
+        "l.jpg", "m",
+    ];
     assert_eq!(names, expected);
     for (index, part) in [
         (0, ""),
@@ -176,6 +188,10 @@ fn broken_files_are_rows() {
         (6, "larger than 4 MB"),
         (7, ""),
         (8, "is no quantity"),
+        (9, "`.json` or `.csv`"),
+        (10, "`.json` or `.csv`"),
+        (11, "photograph"),
+        (12, "`.json` or `.csv`"),
     ] {
         let message = &rows[index]["message"];
         assert!(message.contains(part) || (index == 8 && message.ends_with('…')), "{index}: {message}");
@@ -188,7 +204,7 @@ fn broken_files_are_rows() {
     }
     // What a spreadsheet would take for a formula.
     assert_eq!(rows[7]["name"], "'=HYPERLINK(\"x\")");
-    assert!(stderr(&output).contains("9 files: 0 passed, 0 off, 7 not understood"));
+    assert!(stderr(&output).contains("13 files: 0 passed, 0 off, 11 not understood"));
 }
 
 #[cfg(unix)]

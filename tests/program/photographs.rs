@@ -105,17 +105,19 @@ fn a_folder_of_photographs_is_a_class() {
     // Who hands in one of two plans belongs to the class, too.
     own(&photos[0], &class.join("Bo"));
     std::fs::write(class.join("Cid.jpg"), b"\xff\xd8\xff no picture").expect("it is written");
+    std::fs::write(class.join("Dan.docx"), b"PK").expect("it is written");
     let forms = folder.join("forms");
     let [class, forms_text] = [&class, &forms].map(|path| path.to_str().expect("a path"));
     let output = check(&scene, &[class, "-o", forms_text]);
     let text = stdout(&output);
     assert_eq!(output.status.code(), Some(2), "{text}{}", stderr(&output));
     let rows: Vec<&str> = text.lines().collect();
-    assert_eq!(rows.len(), 4, "{text}");
+    assert_eq!(rows.len(), 5, "{text}");
     assert!(
         rows[1].starts_with("\"Ana\"") && rows[2].starts_with("\"Bo\"") && rows[3].starts_with("\"Cid\""),
         "{text}"
     );
+    assert!(rows[4].starts_with("\"Dan.docx\",0,") && rows[4].contains("no photograph"), "{text}");
     assert!(forms.join("Ana.json").is_file() && forms.join("Bo.json").is_file() && !forms.join("Cid.json").exists());
     let few = Path::new(class).join("Bo");
     let accepted = check(&scene, &[few.to_str().expect("a path"), "-o", forms_text, "--accept"]);
