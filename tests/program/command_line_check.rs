@@ -119,6 +119,26 @@ fn no_line_of_a_table_is_passed_over() {
     assert_eq!(blank.status.code(), Some(1), "{}", stderr(&blank));
 }
 
+/// A line that stands twice is refused as JSON refuses it, whatever it says; a blank is none.
+#[test]
+fn no_line_of_a_table_stands_twice() {
+    for [first, second] in [
+        ["mu_v,2,", "mu_v,4,"],
+        ["positive,counter-clockwise", "positive,clockwise"],
+        ["name,A,", "name,B,"],
+        ["velocity:p,0,0", "velocity: p,1,1"],
+        ["omega(4),-0.475", "omega(4),5"],
+        ["omega(4),-0.475", "omega(4),-0.475"],
+    ] {
+        let said = refused("twice.csv", &format!("quantity,value,unit\n{first}\nL(B,S3),370.96,mm\n{second}\n"));
+        let name = first.split(',').next().expect("a name");
+        assert!(said.contains(&format!("line 4: key `{name}` stands twice: first at line 2")), "{said}");
+        assert!(said.contains("keep one of them"), "{said}");
+    }
+    let blank = check("blank-twice.csv", "omega(4),,\nL(B,S3),370.96,mm\nomega(4),-0.475\nomega(4),\n", &[]);
+    assert_eq!(blank.status.code(), Some(1), "{}", stderr(&blank));
+}
+
 #[test]
 fn a_wrong_value_fails_and_json_says_the_same() {
     let text = form(r#""values": { "L(B,S3)": 370.96, "vplan(b,s3)": 79.41 }"#);
