@@ -315,3 +315,28 @@ fn what_no_step_finds_lets_nothing_pass() {
         assert!(!checked.is_passed() && checked.is_nothing_off(), "{asked}: {:?}", checked.missing);
     }
 }
+
+/// Digits widen what is allowed as far as two would, or as far as a careful hand comes: one alone is right by chance only.
+#[test]
+fn one_digit_allows_no_more_than_two_would() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a sound scene");
+    let key = answer_key(&solution, 2);
+    let to = |digits: i32| {
+        move |value: f64| {
+            let exponent = libm::log10(value.abs()).floor() as i32;
+            let unit = libm::exp10(f64::from(exponent + 1 - digits));
+            format!("{:+}e{}", (value / unit).round(), exponent + 1 - digits)
+        }
+    };
+    let check =
+        |digits| kinegon::check::check(&written(&solution, to(digits)), &key).expect("a form that is understood");
+    let [one, two, three] = [1, 2, 3].map(check);
+    assert!(one.is_nothing_off() && !one.is_passed(), "{:?}", one.values);
+    for (value, with_two) in one.values.iter().zip(&two.values) {
+        // Twice what a careful hand is off by, or that and what two digits hold.
+        let drawn = with_two.tolerance - with_two.entry.rounding;
+        let most = with_two.tolerance.max(2.0 * drawn);
+        assert!(value.tolerance <= 1.001 * most, "{value:?}");
+    }
+    assert!(two.is_passed() && three.is_passed(), "{:?}", two.values);
+}
