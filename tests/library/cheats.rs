@@ -340,3 +340,27 @@ fn one_digit_allows_no_more_than_two_would() {
     }
     assert!(two.is_passed() && three.is_passed(), "{:?}", two.values);
 }
+
+/// Places of points that contradict what is written are judged, too; those that agree with it change nothing.
+#[test]
+fn places_that_contradict_written_values_are_judged() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a sound scene");
+    let key = answer_key(&solution, 2);
+    let four = |value: f64| format!("{:+.*}", (3 - libm::log10(value.abs()).floor() as i32).max(0) as usize, value);
+    let check = |x: f64, y: f64| {
+        let mut measured = written(&solution, four);
+        measured.mu[Sheet::Velocity] = Some(5.0);
+        let mut points = PointsOf::new(Sheet::Velocity);
+        points.put("p", [0.0, 0.0], None);
+        points.put("b", [x, y], None);
+        measured.points.push(points);
+        kinegon::check::check(&measured, &key).expect("a form that is understood")
+    };
+    // b is 120 mm from the pole.
+    let right = check(-103.9, 60.0);
+    assert!(right.is_passed() && right.values.iter().all(|value| value.verdict == Verdict::Right));
+    let wrong = check(1.0, 1.0);
+    let length = wrong.values.iter().find(|value| value.entry.asked.name() == "vplan(p,b)").expect("it is there");
+    assert_eq!(length.verdict, Verdict::Off);
+    assert!(!wrong.is_passed() && !report(&wrong, &key).contains("All correct"));
+}
