@@ -36,6 +36,8 @@ pub(super) struct Form {
     pub file: Untrusted,
     /// The index of its exercise, or why that is not known.
     pub exercise: Result<usize, String>,
+    /// What is to be said of it beside its verdict.
+    pub remark: Option<String>,
 }
 
 /// An exercise with its answers.
@@ -189,6 +191,7 @@ impl Class<'_> {
         if let Some(wrong) = wrong {
             row.judge_drawing(wrong);
         }
+        row.message = form.remark.as_deref().map(Untrusted::from);
         let page = self.page(index, || {
             let marks = subject.scheme.as_ref().map(|scheme| scheme.award(&checked));
             let name = measured.name.clone().unwrap_or_else(|| form.file.stem());

@@ -237,12 +237,35 @@ impl ExerciseFolder {
         if let Some(name) = named {
             return self.named(name);
         }
+        match (self.of_path(path)?, self.all.as_slice()) {
+            (Some(index), _) => Ok(index),
+            (None, [_]) => Ok(0),
+            (None, _) => Err(format!(
+                "it does not say to which exercise it belongs (write the exercise's name into the form as `exercise`, \
+                 or into the file's name; {})",
+                self.names()
+            )),
+        }
+    }
+
+    /// What is to be said of a form that belongs to the exercise of that index, as it names it, where its file or its folder is named after another one.
+    pub(super) fn contradiction(&self, index: usize, path: &Path) -> Option<String> {
+        let other = self.of_path(path).ok()?.filter(|other| *other != index)?;
+        let [own, other] = [index, other].map(|index| shown(&self.all[index].name));
+        Some(format!(
+            "its file or folder is named after the exercise `{other}`, but the form names `{own}` and is checked against that \
+             (rename the file, or change `exercise` in the form)"
+        ))
+    }
+
+    /// The index of the exercise whose name is in the name of a form's file, else in that of the nearest folder.
+    fn of_path(&self, path: &Path) -> Result<Option<usize>, String> {
         let folders = path.components().rev().skip(1).map(|part| part.as_os_str());
         for part in path.file_stem().into_iter().chain(folders) {
             let text = part.to_string_lossy();
             match self.in_text(&text).as_slice() {
                 [] => {}
-                [one] => return Ok(*one),
+                [one] => return Ok(Some(*one)),
                 several => {
                     let names: Vec<String> = several.iter().map(|&i| shown(&self.all[i].name)).collect();
                     return Err(format!(
@@ -254,14 +277,7 @@ impl ExerciseFolder {
                 }
             }
         }
-        match self.all.as_slice() {
-            [_] => Ok(0),
-            _ => Err(format!(
-                "it does not say to which exercise it belongs (write the exercise's name into the form as `exercise`, \
-                 or into the file's name; {})",
-                self.names()
-            )),
-        }
+        Ok(None)
     }
 
     /// The exercise that a form names.

@@ -508,3 +508,27 @@ fn the_values_of_another_exercise_are_told() {
     assert_eq!((copied["values_of"].as_str(), copied["mistake"].as_str()), (other, ""), "{copied:?}");
     assert_eq!((right["values_of"].as_str(), right["passed"].as_str()), ("", "true"), "{right:?}");
 }
+
+/// A form that names another exercise than its file or its folder does is checked against the one that it names, and its row says so.
+#[test]
+fn a_file_named_after_another_exercise_is_told() {
+    let folder = scratch("class-other-name");
+    let [exercises, forms] = ["exercises", "forms"].map(|name| folder.join(name));
+    for name in ["one", "two"] {
+        std::fs::create_dir_all(exercises.join(name)).expect("made");
+        std::fs::create_dir_all(forms.join(name)).expect("made");
+        std::fs::copy(FOUR_BAR, exercises.join(name).join("scene.json")).expect("copied");
+    }
+    let form = r#"{ "kinegon_measured": 1, "exercise": "one", "positive": "counter-clockwise", "values": { "omega(2)": -2.424 } }"#;
+    for name in ["one Ana.json", "two Bo.json", "Cid.json", "two/Dan.json", "two/one Eva.json"] {
+        std::fs::write(forms.join(name), form).expect("written");
+    }
+    let output = run(exercises.to_str().expect("UTF-8"), &forms, &[]);
+    for row in rows(&stdout(&output)) {
+        let is_told = ["two Bo.json", "two/Dan.json"].contains(&row["file"].as_str());
+        assert_eq!(row["message"].contains("`two`"), is_told, "{row:?}");
+        assert_eq!((row["exercise"].as_str(), row["right"].as_str()), ("one", "1"), "{row:?}");
+    }
+    let alone = run(exercises.to_str().expect("UTF-8"), &forms.join("two Bo.json"), &[]);
+    assert!(stderr(&alone).contains("warning") && stderr(&alone).contains("`two`"), "{}", stderr(&alone));
+}
