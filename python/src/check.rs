@@ -56,6 +56,7 @@ impl Solution {
         }
         let hand = tolerance(options.mm, options.degrees)?;
         let shown = self.by_hand()?;
+        shown.check_form().map_err(|error| self.scene.refused(error))?;
         let key_of = |solution| AnswerKey { depth: options.depth, ..AnswerKey::new(solution, hand) };
         let mut drawing = None;
         let measured = if HandDrawing::is_one(form) {

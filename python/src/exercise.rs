@@ -33,6 +33,7 @@ impl Exercises {
         let asked = scene.with_keys(&options.figure)?;
         SizeLimit::HAND.check(&asked.scene).map_err(|error| scene.refused(error))?;
         let solution = kinegon::solve(&asked.scene).map_err(|error| scene.refused(error))?;
+        solution.check_form().map_err(|error| scene.refused(error))?;
         let page = options.has_page.then_some(solution.scene.figure.page);
         let found = on_all_cores(|| exercise::Exercises::new(&solution, page, seed))?;
         Ok(Exercises(Mutex::new(found?)))

@@ -41,7 +41,7 @@ pub struct ClassRow {
     /// What was found; not there where the file was not understood.
     #[serde(flatten)]
     pub found: Option<ClassFound>,
-    /// Why the file was not understood.
+    /// Why the file was not understood, or what is to be known of it beside its verdict.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub message: Option<Untrusted>,
 }

@@ -9,7 +9,7 @@ use super::says;
 use crate::centers::LinkPair;
 use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
 use crate::quantity::{Corners, Pole, QuantityError, QuantityRequest, Unread, What, read_by_hand};
-use crate::scene::{Head, QuantityName};
+use crate::scene::{Head, QuantityName, SceneError};
 use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, shown};
 use crate::words::{Notation, Wording, with_prime};
@@ -34,6 +34,22 @@ pub fn asked_names(solution: &Solution) -> Vec<String> {
 #[must_use]
 pub fn arm_names(solution: &Solution) -> Vec<String> {
     solution.construction.arm_names(&solution.mechanism).into_iter().collect()
+}
+
+impl Solution {
+    /// Refuses a scene whose form asks for what the mechanism does not have, or what no step finds.
+    ///
+    /// # Errors
+    /// The first such name, with its place in the scene.
+    pub fn check_form(&self) -> Result<(), SceneError> {
+        let names = Names::new(self);
+        let Some(name) = names.without_row.first() else { return Ok(()) };
+        let CheckError { message, hint, .. } = match names.quantity(name) {
+            Err(unknown) => unknown,
+            Ok(_) => CheckError::new(says::no_box(shown(name)), crate::scene::says::form_names_quantities()),
+        };
+        Err(self.scene.error_at(&["form", name], message, hint))
+    }
 }
 
 /// A row of a form.
@@ -110,6 +126,8 @@ pub(super) struct Names<'a> {
     pub order: IndexMap<String, usize>,
     /// Those that a form may ask for.
     rows: Vec<FormRow>,
+    /// The names in the scene's form for which it has no row.
+    without_row: Vec<String>,
 }
 
 /// A quantity that a name means.
@@ -132,6 +150,7 @@ impl<'a> Names<'a> {
             solution,
             order: steps.map(|(name, step)| (name, construction.step_number(step))).collect(),
             rows: rows(construction),
+            without_row: Vec::new(),
         };
         if let Some(form) = &solution.scene.form {
             let asked = form.iter().map(|(name, marks)| (names.row_of(&names.usual(name)).to_owned(), *marks));
@@ -140,6 +159,12 @@ impl<'a> Names<'a> {
             let further: Vec<&String> = asked.keys().filter(has_no_step).collect();
             further.into_iter().for_each(|name| names.add_row(name));
             names.rows.iter_mut().for_each(|row| row.worth = asked.get(&row.name).copied());
+            let has_row = |name: &&String| {
+                let usual = names.usual(name);
+                let own = names.row_of(&usual);
+                names.rows.iter().any(|row| row.name == own)
+            };
+            names.without_row = form.keys().filter(|name| !has_row(name)).cloned().collect();
         }
         names
     }
@@ -171,6 +196,11 @@ impl<'a> Names<'a> {
         let is_later = |row: &FormRow| self.order.get(&row.name).zip(step).is_some_and(|(own, step)| *own >= step);
         let place = self.rows.iter().position(is_later).unwrap_or(self.rows.len());
         self.rows.insert(place, row);
+    }
+
+    /// What the scene asks for: the rows of its form in their order, and the names for which there is no row.
+    pub fn all_asked(&self) -> impl Iterator<Item = &str> {
+        self.rows().chain(self.without_row.iter().map(String::as_str))
     }
 
     /// The names of the rows of the scene's form, in their order.

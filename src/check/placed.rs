@@ -19,6 +19,11 @@ pub(super) const ROUNDING: f64 = 0.05;
 /// Largest radius behind a place that counts, in mm: photographs that are good enough have less.
 pub(super) const COUNTED: f64 = 1.0;
 
+/// How far what a place tells may be from what is written of it without contradicting it: as far as hands that mark a point and measure it come, in
+/// mm and in degrees.
+const CONTRADICTS: f64 = 1.0;
+const CONTRADICTS_DEGREES: f64 = 2.0;
+
 /// Least length of a vector that has a direction, in mm.
 const SHORT: f64 = 3.0;
 
@@ -42,7 +47,7 @@ pub struct TurnedPlan {
 }
 
 /// Adds the coordinates of instant centres, and the distances and directions between plan points whose places are given: of each from the pole, and those that the steps name.
-/// What is written already keeps its value.
+/// What is written already keeps its value, unless a place contradicts it and is farther from the right one.
 pub(super) fn add(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) -> Result<(), CheckError> {
     for points in &measured.points {
         let sheet = points.sheet;
@@ -83,13 +88,28 @@ pub(super) fn add(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'
             let has_direction = vector.mm.min(length.expected / mu) >= SHORT && vector.doubt() <= DOUBTED;
             let direction = lies.degrees().filter(|_| has_direction);
             let direction = direction.map(|turned| Ok((meant(&format!("{name}.angle"))?, turned))).transpose()?;
-            let is_new = |meant: &Meant| entries.iter().all(|e| e.asked.name() != meant.asked.name());
-            let length = Some(length).filter(is_new).map(|meant| vector.length(meant, mu));
-            let direction = direction.filter(|(meant, _)| is_new(meant)).map(|(meant, by)| vector.direction(meant, by));
-            entries.extend(length.into_iter().chain(direction));
+            put(entries, vector.length(length, mu), CONTRADICTS * mu);
+            if let Some((meant, by)) = direction {
+                put(entries, vector.direction(meant, by), CONTRADICTS_DEGREES);
+            }
         }
     }
     Ok(())
+}
+
+/// Adds what places tell, where it is not written already. A written value that differs from it by more than `most` beside their digits and radii
+/// is contradicted: of the two the worse one is judged.
+fn put(entries: &mut Vec<Entry>, placed: Entry, most: f64) {
+    let Some(written) = entries.iter_mut().find(|entry| entry.asked.name() == placed.asked.name()) else {
+        return entries.push(placed);
+    };
+    // A length has no sign, whatever sign is written.
+    let own = if placed.asked.is_distance() { written.value.abs() } else { written.value };
+    let off = |value: f64, from: f64| placed.asked.turned(value - from).abs();
+    let is_contradicted = off(own, placed.value) > most + written.rounding + placed.rounding + placed.doubt;
+    if is_contradicted && off(placed.value, placed.expected) > off(own, placed.expected) {
+        *written = placed;
+    }
 }
 
 /// Adds the coordinates of instant centres whose places are given, in the scene's coordinates.
@@ -105,9 +125,7 @@ fn coordinates(
         let at = own.origin_on_panel() + turn_of_degrees(-turned).transform_vector(&from_origin.vector) * mu;
         for (quantity, value) in own.quantities(name).into_iter().zip([at.x, at.y]) {
             let meant = names.quantity(&quantity).map_err(|error| error.at(format!("points: {name}")))?;
-            if entries.iter().all(|entry| entry.asked.name() != meant.asked.name()) {
-                entries.push(from_origin.on_paper(meant, value, mu));
-            }
+            put(entries, from_origin.on_paper(meant, value, mu), CONTRADICTS * mu);
         }
     }
     Ok(())

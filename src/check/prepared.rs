@@ -245,7 +245,7 @@ impl<'a> Prepared<'a> {
     /// The rows of the scene's form that have no value, whatever the student's form has boxes for.
     fn missing(&self, entries: &[Entry]) -> Vec<String> {
         let given: BTreeSet<&str> = entries.iter().map(|entry| entry.row.as_str()).collect();
-        self.names.rows().filter(|row| !given.contains(row)).map(str::to_owned).collect()
+        self.names.all_asked().filter(|row| !given.contains(row)).map(str::to_owned).collect()
     }
 
     /// The values with the usual names of plan points, which may be written in any notation.

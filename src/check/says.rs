@@ -30,6 +30,7 @@ messages! { "check":
     template_lists;
     nearest_name(name);
     no_quantity(name);
+    no_box(name);
     pi_lost(name);
     save_as_utf8;
     too_many(most, count);

@@ -4,8 +4,10 @@ use super::measured::{CheckError, Measured, PlacedPoint, PointsOf, Positive, WID
 use super::says;
 use super::written::{given, with_point, with_unit};
 use crate::message::Message;
+use crate::scene::says::{keep_one, key_twice};
 use crate::sheet::Sheet;
 use crate::text::{Untrusted, cell, quoted, shown};
+use std::collections::BTreeMap;
 
 impl Measured {
     /// The values of a table. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
@@ -24,6 +26,7 @@ impl Measured {
             .delimiter(delimiter(&text))
             .from_reader(text.as_bytes());
         let mut measured = Measured::default();
+        let mut first_lines: BTreeMap<String, u64> = BTreeMap::new();
         for record in reader.records() {
             let record =
                 record.map_err(|error| CheckError::new(says::no_table(error.to_string()), says::write_lines()))?;
@@ -37,6 +40,15 @@ impl Measured {
             let cells: Vec<&str> = record.iter().collect();
             let cells = rejoined(&cells);
             let cell = |index: usize| cells.get(index).map_or("", String::as_str);
+            let name: String = cell(0).chars().filter(|c| !c.is_whitespace()).collect();
+            if !(name.is_empty() || is_head(&name) || cell(1).is_empty()) {
+                let first = *first_lines.entry(name.clone()).or_insert(line);
+                if first < line {
+                    let twice = CheckError::new(key_twice(shown(&name), first), keep_one());
+                    measured.faults.push(twice.at(&place));
+                    continue;
+                }
+            }
             if let Err(fault) = measured.cells([cell(0), cell(1), cell(2), cell(3)], &place) {
                 measured.faults.push(fault.at(&place));
             }
@@ -60,9 +72,7 @@ impl Measured {
             }
             return Ok(());
         }
-        // Some spreadsheets say in their first line which separator they use.
-        let is_head = name.eq_ignore_ascii_case("quantity") || name.starts_with("sep=");
-        if is_head {
+        if is_head(name) {
             return Ok(());
         }
         if value.is_empty() {
@@ -142,6 +152,11 @@ pub(super) fn written<'v>(measured: &Measured, values: impl Iterator<Item = [&'v
         lines.extend(plan.places.iter().map(line));
     }
     lines.join("\n") + "\n"
+}
+
+/// Whether a line is no value: the head of the table, or what some spreadsheets say in their first line, which separator they use.
+fn is_head(name: &str) -> bool {
+    name.eq_ignore_ascii_case("quantity") || name.starts_with("sep=")
 }
 
 /// The sheet and the point that the name of a place means, as `velocity:b`; `None` for other names.

@@ -7,6 +7,7 @@ use super::entry::Entry;
 use super::measured::AnswerKey;
 use super::model::Model;
 use super::score::Scorer;
+use super::written::half_unit;
 use crate::quantity::{Band, QuantityRequest, Unread};
 use crate::sheet::QuantityKind;
 
@@ -24,14 +25,15 @@ pub(super) fn judged(entries: &[Entry], right: &Model, bands: &[Option<Band>]) -
             (None, Err(Unread::Given)) => (Basis::Given, 0.0),
             (None, _) => (Basis::Coarse, coarse(&entry.asked, expected, largest)),
         };
-        let tolerance = allowed + entry.rounding;
         let telling = Telling::new(&entry.asked, expected, largest);
+        let rounding = telling.counted(entry, allowed);
+        let tolerance = allowed + rounding;
         let has_no_sense = entry.is_magnitude && entry.value != 0.0;
         let off = difference.abs();
         // The factor 1.001 lets a last digit be rounded either way where the next is a five.
         let verdict = match () {
-            () if off > tolerance.max(1.001 * entry.rounding) + entry.doubt => Verdict::Off,
-            () if off > tolerance.max(1.001 * entry.rounding) => Verdict::TooCoarse,
+            () if off > (allowed + entry.rounding).max(1.001 * entry.rounding) + entry.doubt => Verdict::Off,
+            () if off > tolerance.max(1.001 * rounding) => Verdict::TooCoarse,
             () if telling.is_too_coarse(entry.rounding, allowed) => Verdict::TooCoarse,
             () if off <= 1.001 * entry.rounding => Verdict::Right,
             () if telling.is_too_small(allowed, off) => Verdict::TooSmall,
@@ -77,6 +79,9 @@ const ONE_DIGIT: f64 = 0.25;
 /// The same of angles, and where the exact value is nothing, in parts of the largest value of its kind.
 const OF_LARGEST: f64 = 0.02;
 
+/// Significant digits whose rounding counts. One digit alone shows no drawing, and whoever guesses it is right too often.
+const COUNTED: i32 = 2;
+
 /// Size of a value that is nothing, in parts of the largest one of its kind.
 const NOTHING: f64 = 1e-9;
 
@@ -86,6 +91,14 @@ impl Telling {
         let expected = if expected.abs() <= NOTHING * largest { 0.0 } else { expected };
         let fine = if is_angle || expected == 0.0 { OF_LARGEST * largest } else { ONE_DIGIT * expected.abs() };
         Telling { expected, fine, is_angle }
+    }
+
+    /// How far a value may be off for its digits, where honest hands are off by `drawn`: half a unit of its last one, but no more than two digits
+    /// of the exact value need, or than such a hand is off by.
+    fn counted(&self, entry: &Entry, drawn: f64) -> f64 {
+        let is_fine = self.is_angle || self.expected == 0.0;
+        let needed = if is_fine { self.fine } else { half_unit(self.expected, COUNTED) };
+        if entry.text.is_empty() { entry.rounding } else { entry.rounding.min(needed.max(drawn)) }
     }
 
     /// Whether the digits hold so much that they tell nothing, where honest hands are off by `drawn`.
@@ -126,14 +139,15 @@ pub(super) fn widened(
     let largest: Vec<f64> = values.iter().map(|value| largest(entries, value.entry.asked.kind())).collect();
     for (place, datum) in scorer.data.iter().enumerate() {
         let value = &mut values[datum.entry];
-        let tolerance = BANDS * BAND * scorer.spread(place, &allowed) + value.entry.rounding;
+        let Entry { asked, expected, .. } = &value.entry;
+        let telling = Telling::new(asked, *expected, largest[datum.entry]);
+        let drawn = BANDS * BAND * scorer.spread(place, &allowed);
+        let tolerance = drawn + telling.counted(&value.entry, drawn);
         let is_outside = outside.get(place).is_some_and(|outside| *outside);
         if !is_outside && value.basis == Basis::Drawn && value.tolerance < tolerance {
             value.tolerance = tolerance;
             if value.verdict == Verdict::Off && value.difference.abs() <= tolerance {
-                let Entry { asked, expected, .. } = &value.entry;
-                let is_too_small = Telling::new(asked, *expected, largest[datum.entry])
-                    .is_too_small(tolerance, value.difference.abs());
+                let is_too_small = telling.is_too_small(tolerance, value.difference.abs());
                 value.verdict = if is_too_small { Verdict::TooSmall } else { Verdict::WithinTolerance };
             }
         }

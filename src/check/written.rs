@@ -60,8 +60,7 @@ pub fn whole_rounding(text: &str, digits: i32) -> f64 {
     if text.contains(['.', 'e', 'E']) || value == 0.0 {
         return f64::INFINITY;
     }
-    let first = libm::floor(libm::log10(value.abs())) as i32;
-    0.5 * libm::exp10(f64::from(first + 1 - digits.min(WHOLE)))
+    half_unit(value, digits.min(WHOLE))
 }
 
 /// Most significant digits that a form may have in all its numbers for the zeros at their ends to be no digits.
@@ -80,9 +79,13 @@ pub fn few_digits<'t>(texts: impl Iterator<Item = &'t str>) -> Option<i32> {
     (digits.len() > 2 && most <= FEW).then_some(most)
 }
 
-/// Half a unit of the last of so many significant digits.
+/// Half a unit of the last of so many significant digits of a written number.
 pub fn rounding_to(text: &str, digits: i32) -> f64 {
-    let value: f64 = text.parse().unwrap_or(0.0);
+    half_unit(text.parse().unwrap_or(0.0), digits)
+}
+
+/// The same of a number; 0 of zero.
+pub(super) fn half_unit(value: f64, digits: i32) -> f64 {
     if value == 0.0 {
         return 0.0;
     }

@@ -151,7 +151,10 @@ impl Check {
 
     pub(super) fn solved(&self, scene: &Path) -> Result<Solution, Failure> {
         let source = files::read(scene)?;
-        solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
+        let override_figure = |figure: &mut Figure| self.words.put_into(figure);
+        let solution = solve(&source, SizeLimit::HAND, self.mode.number, override_figure, |_| Order::Acceleration)?;
+        source.checked(solution.check_form())?;
+        Ok(solution)
     }
 
     /// Reads one form, or a drawing.
@@ -213,8 +216,9 @@ impl Check {
     fn class(&self, folder: &Path, solution: &Solution) -> Result<(), Failure> {
         let marks = self.marks.as_deref().map(GivenMarks::read).transpose()?;
         let report = self.report()?;
-        let others: Vec<PathBuf> = self.marks.iter().chain([&self.scene, &report.0]).cloned().collect();
-        let form = |path: PathBuf| Form { file: file_name(&path, folder), path, exercise: Ok(0) };
+        let mut others = ExerciseFiles::of_scene(&self.scene).others();
+        others.extend(self.marks.iter().chain([&report.0]).cloned());
+        let form = |path: PathBuf| Form { file: file_name(&path, folder), path, exercise: Ok(0), remark: None };
         let forms: Vec<Form> = forms(folder, false, &others)?.into_iter().map(form).collect();
         let with_centers = with_centers(solution, &forms);
         let solution = with_centers.as_ref().unwrap_or(solution);
@@ -274,6 +278,9 @@ impl Check {
         let named = drawn.as_ref().map_or(measured.exercise.as_ref(), Option::as_ref);
         let index = exercises.of_form(named, path);
         let index = index.map_err(|message| Failure::unclear(format!("{}: {message}", text.name)))?;
+        if let Some(remark) = path.file_name().and_then(|file| exercises.contradiction(index, Path::new(file))) {
+            warn(&format!("{}: {remark}", text.name));
+        }
         let exercise = &exercises.all[index];
         let solution = self.solved(&exercise.scene)?;
         if drawn.is_some() {
@@ -297,7 +304,8 @@ impl Check {
             let drawn = || text_in_folder(path).ok().and_then(|text| board::exercise(&text.text)).flatten();
             let named = measured(path).map_or_else(|_| drawn(), |measured| measured.exercise);
             let exercise = exercises.of_form(named.as_ref(), inside);
-            Form { path: path.clone(), file: file_name(path, folder), exercise }
+            let remark = exercise.as_ref().ok().and_then(|index| exercises.contradiction(*index, inside));
+            Form { path: path.clone(), file: file_name(path, folder), exercise, remark }
         };
         let forms: Vec<Form> = on_all_cores(&forms(folder, true, &others)?, form);
         let pages = self.feedback.pages(forms.iter().map(|form| form.file.for_comparing()))?;

@@ -3,7 +3,7 @@
 use super::board;
 use super::feedback::Pages;
 use super::files;
-use super::forms::measured;
+use super::forms::{is_report, measured};
 use super::message::{Failure, note, passed, refuse};
 use super::output::{FileSet, is_stream};
 use super::pieces::{Pieces, caught};
@@ -11,8 +11,6 @@ use crate::check::{Checked, ClassColumns, ClassRow, ClassSummary, Feedback, Mark
 use crate::format;
 use crate::text::Untrusted;
 use crate::words::Wording;
-use std::fs;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// The forms of a class, the exercises to which they belong, and the report.
@@ -38,6 +36,8 @@ pub(super) struct Form {
     pub file: Untrusted,
     /// The index of its exercise, or why that is not known.
     pub exercise: Result<usize, String>,
+    /// What is to be said of it beside its verdict.
+    pub remark: Option<String>,
 }
 
 /// An exercise with its answers.
@@ -191,6 +191,7 @@ impl Class<'_> {
         if let Some(wrong) = wrong {
             row.judge_drawing(wrong);
         }
+        row.message = form.remark.as_deref().map(Untrusted::from);
         let page = self.page(index, || {
             let marks = subject.scheme.as_ref().map(|scheme| scheme.award(&checked));
             let name = measured.name.clone().unwrap_or_else(|| form.file.stem());
@@ -236,13 +237,4 @@ impl Class<'_> {
     ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
         self.pages.as_ref().map_or_else(|| Ok(Vec::new()), |pages| pages.of(index, &feedback()?))
     }
-}
-
-/// Whether a file is a report on a class.
-fn is_report(path: &Path) -> bool {
-    let mut start = Vec::new();
-    let read = fs::File::open(path).and_then(|f| f.take(64).read_to_end(&mut start));
-    let start = String::from_utf8_lossy(&start);
-    let starts = ["file,name,passed,", "file,exercise,name,passed,", "{\n  \"kinegon_class\"", "{\"file\":"];
-    read.is_ok() && starts.iter().any(|known| start.starts_with(known))
 }

@@ -76,6 +76,7 @@ impl ExerciseCommand {
             style.put_into(figure);
         };
         let solution = solve(&source, SizeLimit::HAND, None, override_figure, |_| Order::Acceleration)?;
+        source.checked(solution.check_form())?;
         let page = self.look.paper.is_given().then_some(solution.scene.figure.page);
         let mut exercises = Exercises::new(&solution, page, self.seed).map_err(|error| {
             Failure::misuse(format!("{}: {error}", source.name), "`kinegon new --list` shows other kinds")

@@ -1,6 +1,7 @@
 //! What students get back: a page each, and the drawing over the right one.
 
 use super::figures::{FigureOptions, Figures, Made, Sheets, stem};
+use super::files::read_unnamed;
 use super::message::{Failure, refuse, warn};
 use super::options::{GivenScales, Paper, scale_option};
 use super::output::FileSet;
@@ -99,18 +100,22 @@ impl Pages {
 
 /// Refuses to write over a file that is no page for a student.
 fn refuse_foreign(page: &Path) -> Result<(), Failure> {
-    let Ok(found) = fs::metadata(page) else {
-        return Ok(());
-    };
-    let mark = FEEDBACK_MARK.as_bytes();
-    let is_own = || fs::read(page).is_ok_and(|bytes| bytes.windows(mark.len()).any(|part| part == mark));
-    if found.is_file() && is_own() {
+    if fs::metadata(page).is_err() || is_page(page) {
         return Ok(());
     }
     refuse(
         format!("{} is there already, is no page for a student and is not overwritten", page.display()),
         "choose another folder after --feedback",
     )
+}
+
+/// Most bytes of a page for a student.
+const LARGEST: u64 = 64 << 20;
+
+/// Whether a file is a page for a student.
+pub(super) fn is_page(path: &Path) -> bool {
+    let mark = FEEDBACK_MARK.as_bytes();
+    read_unnamed(path, None, LARGEST).is_ok_and(|bytes| bytes.windows(mark.len()).any(|part| part == mark))
 }
 
 /// Most bytes of a page's name: file systems take 255 with all endings.

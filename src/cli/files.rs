@@ -42,20 +42,25 @@ pub(super) enum Unread {
 /// was written by somebody else. So `-` is a file's name and not stdin; what is no regular file is not opened, for that could block or
 /// never end; the file has `most` bytes at most; and `below` is the folder in which it must lie, after all links, if there is one.
 pub(super) fn read_unnamed(path: &Path, below: Option<&Path>, most: u64) -> Result<Vec<u8>, Unread> {
-    let found = fs::metadata(path)?;
-    if below.is_some_and(|folder| !is_below(path, folder)) {
+    if below.is_some_and(|folder| leads_outside(path, folder)) {
         return Err(Unread::Outside);
     }
-    if !found.is_file() {
-        return Err(if found.is_dir() { Unread::Folder } else { Unread::Special });
-    }
-    if found.len() > most {
+    if regular(path)?.len() > most {
         return Err(Unread::Large(most));
     }
     let mut bytes = Vec::new();
     // Somebody may write to it in the meantime.
     fs::File::open(path)?.take(most + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > most { Err(Unread::Large(most)) } else { Ok(bytes) }
+}
+
+/// What is known of a file that no argument names, before it is opened; refuses what is no regular file.
+pub(super) fn regular(path: &Path) -> Result<fs::Metadata, Unread> {
+    let found = fs::metadata(path)?;
+    match found.is_file() {
+        true => Ok(found),
+        false => Err(if found.is_dir() { Unread::Folder } else { Unread::Special }),
+    }
 }
 
 /// Reads a file, or stdin for `-`: its name in messages and its bytes.

@@ -1,5 +1,6 @@
 //! The forms in a folder, and the exercises in another to which they belong.
 
+use super::feedback::is_page;
 use super::files;
 use super::message::{Failure, Source, refuse};
 use super::pieces::caught;
@@ -8,16 +9,17 @@ use crate::scene::nearest;
 use crate::text::{Untrusted, shown};
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// The forms of a folder, ordered by path: all files in `.json` or `.csv` except hidden ones and `others`. What has such a
-/// name and is no file is among them, so that a row says so.
+/// What was handed in in a folder, ordered by path: forms, which are all files in `.json` or `.csv`, and what cannot be read as one, so that a
+/// row says so; without `others`. Refuses a folder without forms.
 ///
 /// With `below` those of the folders in it, too. Links to folders are not followed; a folder in it that cannot be listed is
 /// itself among the forms, so that a row says so.
 pub(super) fn forms(folder: &Path, below: bool, others: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let others: BTreeSet<PathBuf> = others.iter().filter_map(|file| file.canonicalize().ok()).collect();
-    let (mut forms, mut folders) = (Vec::new(), vec![folder.to_owned()]);
+    let (mut forms, mut unread, mut folders) = (Vec::new(), Vec::new(), vec![folder.to_owned()]);
     while let Some(inside) = folders.pop() {
         let entries = match files::entries(&inside) {
             Err(_) if inside != folder => {
@@ -29,16 +31,21 @@ pub(super) fn forms(folder: &Path, below: bool, others: &[PathBuf]) -> Result<Ve
         for path in entries.into_iter().filter(|path| !is_hidden(path)) {
             if below && fs::symlink_metadata(&path).is_ok_and(|found| found.is_dir()) {
                 folders.push(path);
-            } else if has_ending(&path, &["json", "csv"])
-                && !path.canonicalize().is_ok_and(|path| others.contains(&path))
-            {
+            } else if path.canonicalize().is_ok_and(|path| others.contains(&path)) {
+                continue;
+            } else if is_form(&path) {
                 forms.push(path);
+            } else if is_handed_in(&path) {
+                unread.push(path);
             }
         }
     }
-    forms.sort();
     match forms.is_empty() {
-        false => Ok(forms),
+        false => {
+            forms.append(&mut unread);
+            forms.sort();
+            Ok(forms)
+        }
         true => refuse(
             format!("{} has no forms to check, and no photographs", folder.display()),
             "files that end in `.json` or `.csv` are forms, those in `.jpg` or `.png` photographs of sheets; `kinegon check SCENE --template` writes an empty form",
@@ -53,6 +60,36 @@ pub(super) fn has_ending(path: &Path, endings: &[&str]) -> bool {
 
 fn is_hidden(path: &Path) -> bool {
     path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'))
+}
+
+/// Whether a file's name is that of a form.
+fn is_form(path: &Path) -> bool {
+    has_ending(path, &["json", "csv"])
+}
+
+/// Whether a file that is no form was handed in all the same. Folders are not, hidden files, what systems, editors and teachers put beside
+/// forms, and what this program writes there: pictures over photographs and drawings, reports, pages for the students.
+pub(super) fn is_handed_in(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let is_beside = ["readme", "~$"].iter().any(|start| name.starts_with(start))
+        || ["thumbs.db", "desktop.ini"].contains(&name.as_str());
+    let is_picture =
+        has_ending(path, &["png", "pdf", "svg", "tex"]) && (stem.ends_with("-check") || stem.contains("-check-values"));
+    let is_own = || {
+        (has_ending(path, &["jsonl", "ndjson"]) && path.is_file() && is_report(path))
+            || (has_ending(path, &["html", "pdf"]) && is_page(path))
+    };
+    !(path.is_dir() || is_hidden(path) || is_beside || is_picture || is_own())
+}
+
+/// Whether a file is a report on a class.
+pub(super) fn is_report(path: &Path) -> bool {
+    let mut start = Vec::new();
+    let read = fs::File::open(path).and_then(|f| f.take(64).read_to_end(&mut start));
+    let start = String::from_utf8_lossy(&start);
+    let starts = ["file,name,passed,", "file,exercise,name,passed,", "{\n  \"kinegon_class\"", "{\"file\":"];
+    read.is_ok() && starts.iter().any(|known| start.starts_with(known))
 }
 
 /// The values of a form: JSON if it begins with a bracket and the file's name does not end in `.csv`, else CSV.
@@ -86,6 +123,12 @@ pub(super) fn text_in_folder(path: &Path) -> Result<Source, String> {
         }
         let what = if found.is_dir() { "a folder" } else { "special" };
         return Err(format!("it is {what}, no file with values"));
+    }
+    if !is_form(path) {
+        return Err(
+            "it is no form: forms end in `.json` or `.csv`, and photographs are read from a folder without forms"
+                .to_owned(),
+        );
     }
     let text = caught(|| files::read_form(path))?;
     text.map_err(|failure| failure.line(&path.display().to_string()))
@@ -121,16 +164,22 @@ impl ExerciseFiles {
 
     /// Its own marking scheme, if it has one.
     pub(super) fn marks(&self) -> Option<PathBuf> {
-        self.folder.as_ref().map(|folder| folder.join("marks.json")).filter(|marks| marks.is_file())
+        self.folder.as_ref().map(|folder| folder.join("marks.json")).filter(|marks| is_there(marks))
     }
 
-    /// Its files that are no forms.
-    pub(super) fn others(&self) -> impl Iterator<Item = PathBuf> {
-        let beside = self
-            .folder
-            .iter()
-            .flat_map(|folder| ["key.json", "key-drawing.json", "marks.json"].map(|name| folder.join(name)));
-        [self.scene.clone()].into_iter().chain(beside)
+    /// Its files that nobody has handed in: the scene, and beside `scene.json` the key, the marks and the sheets.
+    pub(super) fn others(&self) -> Vec<PathBuf> {
+        let mut all = vec![self.scene.clone()];
+        if let Some(folder) = self.scene.parent().filter(|_| self.scene.ends_with("scene.json")) {
+            all.extend(["key.json", "key-drawing.json", "marks.json"].map(|name| folder.join(name)));
+            let is_sheet = |path: &PathBuf| {
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                has_ending(path, &["svg", "pdf"]) && ["sheet", "key"].iter().any(|start| name.starts_with(start))
+            };
+            let folder = if folder == Path::new("") { Path::new(".") } else { folder };
+            all.extend(files::entries(folder).unwrap_or_default().into_iter().filter(is_sheet));
+        }
+        all
     }
 }
 
@@ -143,7 +192,7 @@ impl ExerciseFolder {
     pub(super) fn read(folder: &Path) -> Result<ExerciseFolder, Failure> {
         let scene = folder.join("scene.json");
         let mut all = Vec::new();
-        if scene.is_file() {
+        if is_there(&scene) {
             let place = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
             all.push(ExerciseFiles { name: name(place.file_name()), scene, folder: Some(folder.to_owned()) });
         } else {
@@ -151,11 +200,16 @@ impl ExerciseFolder {
         }
         for exercise in &all {
             let read = [Some(exercise.scene.clone()), exercise.marks()].into_iter().flatten();
-            if let Some(outside) = read.into_iter().find(|file| files::leads_outside(file, folder)) {
-                return refuse(
-                    format!("{} is a link to a file outside of its folder, which is not read", outside.display()),
-                    "put a copy of the file there",
-                );
+            for file in read {
+                if files::leads_outside(&file, folder) {
+                    return refuse(
+                        format!("{} is a link to a file outside of its folder, which is not read", file.display()),
+                        "put a copy of the file there",
+                    );
+                }
+                if let Err(why) = files::regular(&file) {
+                    return refuse(format!("{} {why}", file.display()), "put a file there, or take it away");
+                }
             }
         }
         all.sort_by(|a, b| a.name.cmp(&b.name));
@@ -183,12 +237,35 @@ impl ExerciseFolder {
         if let Some(name) = named {
             return self.named(name);
         }
+        match (self.of_path(path)?, self.all.as_slice()) {
+            (Some(index), _) => Ok(index),
+            (None, [_]) => Ok(0),
+            (None, _) => Err(format!(
+                "it does not say to which exercise it belongs (write the exercise's name into the form as `exercise`, \
+                 or into the file's name; {})",
+                self.names()
+            )),
+        }
+    }
+
+    /// What is to be said of a form that belongs to the exercise of that index, as it names it, where its file or its folder is named after another one.
+    pub(super) fn contradiction(&self, index: usize, path: &Path) -> Option<String> {
+        let other = self.of_path(path).ok()?.filter(|other| *other != index)?;
+        let [own, other] = [index, other].map(|index| shown(&self.all[index].name));
+        Some(format!(
+            "its file or folder is named after the exercise `{other}`, but the form names `{own}` and is checked against that \
+             (rename the file, or change `exercise` in the form)"
+        ))
+    }
+
+    /// The index of the exercise whose name is in the name of a form's file, else in that of the nearest folder.
+    fn of_path(&self, path: &Path) -> Result<Option<usize>, String> {
         let folders = path.components().rev().skip(1).map(|part| part.as_os_str());
         for part in path.file_stem().into_iter().chain(folders) {
             let text = part.to_string_lossy();
             match self.in_text(&text).as_slice() {
                 [] => {}
-                [one] => return Ok(*one),
+                [one] => return Ok(Some(*one)),
                 several => {
                     let names: Vec<String> = several.iter().map(|&i| shown(&self.all[i].name)).collect();
                     return Err(format!(
@@ -200,14 +277,7 @@ impl ExerciseFolder {
                 }
             }
         }
-        match self.all.as_slice() {
-            [_] => Ok(0),
-            _ => Err(format!(
-                "it does not say to which exercise it belongs (write the exercise's name into the form as `exercise`, \
-                 or into the file's name; {})",
-                self.names()
-            )),
-        }
+        Ok(None)
     }
 
     /// The exercise that a form names.
@@ -246,16 +316,21 @@ impl ExerciseFolder {
     }
 }
 
+/// Whether a name stands in a folder, whatever it leads to.
+fn is_there(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok()
+}
+
 /// The exercise at a path, if one is there.
 fn exercise(path: &Path) -> Option<ExerciseFiles> {
     if is_hidden(path) {
         return None;
     }
     let inside = path.join("scene.json");
-    if inside.is_file() {
+    if is_there(&inside) {
         return Some(ExerciseFiles { name: name(path.file_name()), scene: inside, folder: Some(path.to_owned()) });
     }
-    (has_ending(path, &["json"]) && path.is_file() && is_scene(path)).then(|| ExerciseFiles {
+    (has_ending(path, &["json"]) && !path.is_dir() && is_scene(path)).then(|| ExerciseFiles {
         name: name(path.file_stem()),
         scene: path.to_owned(),
         folder: None,
@@ -264,6 +339,9 @@ fn exercise(path: &Path) -> Option<ExerciseFiles> {
 
 /// Whether a file is a scene, or one that cannot be read: marking schemes, forms, keys and reports are none.
 fn is_scene(path: &Path) -> bool {
+    if files::regular(path).is_err() {
+        return true;
+    }
     let Ok(source) = files::read(path) else {
         return true;
     };

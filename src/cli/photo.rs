@@ -1,6 +1,6 @@
 //! Photographs of a student's sheets: the right plans over them, the points that their pencil lines show, and the form that these give.
 
-use super::files;
+use super::files::{self, Unread, read_unnamed};
 use super::forms::has_ending;
 use super::message::{Failure, note, refuse};
 use super::output::FileSet;
@@ -20,8 +20,7 @@ use crate::text::{cell, quoted, shown};
 use crate::words::NumberStyle;
 use image::{DynamicImage, GrayImage, ImageDecoder, ImageError, ImageReader, Limits};
 use std::fmt::Display;
-use std::fs;
-use std::io::{Cursor, Read};
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 /// Pixels per mm of the picture under the right plans.
@@ -301,15 +300,13 @@ pub(super) fn is_photograph(path: &Path) -> bool {
 pub fn read_picture(path: &Path) -> Result<Picture, Failure> {
     let name = path.display().to_string();
     let refuse = |message: String, hint: Message| Failure::misuse(format!("{name} {message}"), hint);
-    let mut bytes = Vec::new();
-    let opened = fs::File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));
-    opened.map_err(|error| refuse(format!("cannot be read: {error}"), "give the path of a photograph".into()))?;
-    if bytes.len() as u64 > LARGEST {
-        return Err(refuse(
-            format!("is larger than {} MB", LARGEST >> 20),
-            "send the photograph in a smaller size".into(),
-        ));
-    }
+    let bytes = read_unnamed(path, None, LARGEST).map_err(|why| {
+        let hint = match why {
+            Unread::Large(_) => "send the photograph in a smaller size",
+            _ => "give the path of a photograph",
+        };
+        refuse(why.to_string(), hint.into())
+    })?;
     if bytes.get(4..8) == Some(b"ftyp") {
         return Err(refuse(
             "is a HEIC or AVIF picture, which is not read".to_owned(),

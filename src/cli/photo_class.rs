@@ -2,7 +2,7 @@
 
 use super::check::Check;
 use super::files;
-use super::forms::{ExerciseFiles, ExerciseFolder, forms};
+use super::forms::{ExerciseFiles, ExerciseFolder, file_name, forms, is_handed_in};
 use super::message::{Failure, Source, note, passed, refuse, warn};
 use super::output::FileSet;
 use super::photo::{Photo, PhotoResult, expected, is_photograph, note_next, student};
@@ -25,8 +25,8 @@ impl Check {
             return Ok(false);
         };
         if first.is_dir() {
-            let photos = photos_below(first)?;
-            return if photos.is_empty() { Ok(false) } else { self.photo_class(first, photos).map(|()| true) };
+            let (photos, unread) = photos_below(first)?;
+            return if photos.is_empty() { Ok(false) } else { self.photo_class(first, photos, &unread).map(|()| true) };
         }
         if is_photograph(first) {
             let all: Vec<PathBuf> = std::iter::once(first.to_owned()).chain(self.further.iter().cloned()).collect();
@@ -127,7 +127,8 @@ impl Check {
     }
 
     /// Reads the photographs of a class and writes a form for each student, with pictures; with `--accept` the forms are checked.
-    fn photo_class(&self, folder: &Path, photos: Vec<PathBuf>) -> Result<(), Failure> {
+    /// Files that are none are `unread`.
+    fn photo_class(&self, folder: &Path, photos: Vec<PathBuf>, unread: &[PathBuf]) -> Result<(), Failure> {
         let Some(output) = self.output.as_deref().filter(|output| *output != Path::new("-") && !output.is_file())
         else {
             return refuse(
@@ -184,15 +185,25 @@ impl Check {
                 }
             }
         }
+        for path in unread {
+            let name = quoted(&file_name(path, folder).for_cell());
+            table += &format!("{name},0,,,,,it is no photograph: these end in `.jpg` or `.png`\n");
+        }
         files.finish()?;
+        let is_any_read = broken < students.len();
+        broken += unread.len();
         if self.accept {
             if broken > 0 {
+                let all = students.len() + unread.len();
                 warn(&format!(
-                    "{broken} of {} students' photographs are not read; without --accept a table says why",
-                    students.len()
+                    "{broken} of {all} students' photographs are not read; without --accept a table says why"
                 ));
             }
-            return if broken < students.len() { self.forms_of(output) } else { passed(off, broken) };
+            let checked = if is_any_read { self.forms_of(output) } else { Ok(()) };
+            return match checked {
+                Ok(()) | Err(Failure::Reported(_)) if broken > 0 => passed(off, broken),
+                checked => checked,
+            };
         }
         files::print_text(&table)?;
         note(&format!(
@@ -204,17 +215,19 @@ impl Check {
     }
 }
 
-/// The photographs in a folder and in the folders in it, one for each student; none where it has forms.
-fn photos_below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let mut photos = Vec::new();
+/// The photographs in a folder and in the folders in it, one for each student, and the other files that were handed in there; none where it has forms.
+fn photos_below(folder: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>), Failure> {
+    if forms(folder, false, &[]).is_ok() {
+        return Ok(Default::default());
+    }
+    let mut all = Vec::new();
     for path in files::entries(folder)? {
-        if fs::symlink_metadata(&path).is_ok_and(|found| found.is_dir()) {
-            let inside = files::entries(&path)?.into_iter();
-            photos.extend(inside.filter(|path| path.is_file() && is_photograph(path)));
-        } else if is_photograph(&path) {
-            photos.push(path);
+        match fs::symlink_metadata(&path).is_ok_and(|found| found.is_dir()) {
+            true => all.extend(files::entries(&path)?),
+            false => all.push(path),
         }
     }
-    photos.sort();
-    Ok(if forms(folder, false, &[]).is_ok() { Vec::new() } else { photos })
+    all.retain(|path| is_handed_in(path));
+    all.sort();
+    Ok(all.into_iter().partition(|path| is_photograph(path)))
 }

@@ -116,6 +116,7 @@ impl Solve {
         let source = files::read(&self.scene)?;
         let most = if self.pencil || self.hand.is_given() { SizeLimit::HAND } else { SizeLimit::NUMBERS };
         let solution = solve(&source, most, self.mode.number, |_| (), |_| Order::Acceleration)?;
+        source.checked(solution.check_form())?;
         let mut result = source.checked(solution.whole_result())?;
         if self.digits {
             show(&result);

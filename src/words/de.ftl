@@ -1536,6 +1536,7 @@ check-did_you_mean = meinten Sie `{$name}`?
 check-template_lists = `kinegon check SCENE --template` führt die Namen auf
 check-nearest_name = der nächstliegende Name ist `{$name}`; `kinegon check SCENE --template` führt die Namen auf
 check-no_quantity = `{$name}` ist keine Größe dieser Szene
+check-no_box = kein Schritt findet `{$name}`; deshalb hat ein Formular kein Kästchen dafür
 check-pi_lost = in `{$name}` ging der Buchstabe π verloren
 check-save_as_utf8 = speichern Sie als CSV UTF-8, oder schreiben Sie pi
 check-too_many = ein Formular hat höchstens {$most} Werte, und hier sind {$count}

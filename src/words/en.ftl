@@ -1568,6 +1568,7 @@ check-did_you_mean = did you mean `{$name}`?
 check-template_lists = `kinegon check SCENE --template` lists the names
 check-nearest_name = the nearest name is `{$name}`; `kinegon check SCENE --template` lists the names
 check-no_quantity = `{$name}` is no quantity of this scene
+check-no_box = no step finds `{$name}`, so a form has no box for it
 check-pi_lost = the letter π was lost in `{$name}`
 check-save_as_utf8 = save as CSV UTF-8, or write pi
 check-too_many = a form has at most {$most} values, and here are {$count}

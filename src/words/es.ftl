@@ -1534,6 +1534,7 @@ check-did_you_mean = ¿quiso decir `{$name}`?
 check-template_lists = `kinegon check SCENE --template` enumera los nombres
 check-nearest_name = el nombre más parecido es `{$name}`; `kinegon check SCENE --template` enumera los nombres
 check-no_quantity = `{$name}` no es una magnitud de esta escena
+check-no_box = ningún paso halla `{$name}`, así que un formulario no tiene casilla para ello
 check-pi_lost = se perdió la letra π en `{$name}`
 check-save_as_utf8 = guarde como CSV UTF-8, o escriba pi
 check-too_many = un formulario tiene como máximo {$most} valores, y aquí hay {$count}

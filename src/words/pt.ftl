@@ -1536,6 +1536,7 @@ check-did_you_mean = você quis dizer `{$name}`?
 check-template_lists = `kinegon check SCENE --template` lista os nomes
 check-nearest_name = o nome mais parecido é `{$name}`; `kinegon check SCENE --template` lista os nomes
 check-no_quantity = `{$name}` não é uma grandeza desta cena
+check-no_box = nenhum passo acha `{$name}`, por isso um formulário não tem campo para isso
 check-pi_lost = a letra π se perdeu em `{$name}`
 check-save_as_utf8 = salve como CSV UTF-8, ou escreva pi
 check-too_many = um formulário tem no máximo {$most} valores, e aqui há {$count}

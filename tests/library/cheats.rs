@@ -298,3 +298,69 @@ fn values_that_nothing_explains_are_no_bad_hand() {
     let verdicts = |checked: &kinegon::check::Checked| checked.values.iter().map(|v| v.verdict).collect::<Vec<_>>();
     assert_eq!(verdicts(&checked), verdicts(&strict));
 }
+
+/// A scene's form that asks for what is not there lets nothing pass, whatever else it asks for.
+#[test]
+fn what_no_step_finds_lets_nothing_pass() {
+    let scene = files::read("templates/four-bar.json");
+    let exact = solved(&scene).expect("a sound scene").quantity("omega(3)").expect("it turns").as_number();
+    for asked in [r#""omega(9)": 1"#, r#""omega(3)": 1, "vplan(x,y)": 3"#, r#""omega(3)": 1, "v(B)": 1"#] {
+        let solution =
+            solved(&scene.replacen('{', &format!(r#"{{ "form": {{ {asked} }},"#), 1)).expect("a sound scene");
+        let key = answer_key(&solution, 1);
+        let form = format!(
+            r#"{{ "kinegon_measured": 1, "positive": "counter-clockwise", "values": {{ "L(A,D)": 160, "omega(3)": {exact} }} }}"#
+        );
+        let checked = kinegon::check::check(&Measured::read_json(&form).expect("a form"), &key).expect("understood");
+        assert!(!checked.is_passed() && checked.is_nothing_off(), "{asked}: {:?}", checked.missing);
+    }
+}
+
+/// Digits widen what is allowed as far as two would, or as far as a careful hand comes: one alone is right by chance only.
+#[test]
+fn one_digit_allows_no_more_than_two_would() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a sound scene");
+    let key = answer_key(&solution, 2);
+    let to = |digits: i32| {
+        move |value: f64| {
+            let exponent = libm::log10(value.abs()).floor() as i32;
+            let unit = libm::exp10(f64::from(exponent + 1 - digits));
+            format!("{:+}e{}", (value / unit).round(), exponent + 1 - digits)
+        }
+    };
+    let check =
+        |digits| kinegon::check::check(&written(&solution, to(digits)), &key).expect("a form that is understood");
+    let [one, two, three] = [1, 2, 3].map(check);
+    assert!(one.is_nothing_off() && !one.is_passed(), "{:?}", one.values);
+    for (value, with_two) in one.values.iter().zip(&two.values) {
+        // Twice what a careful hand is off by, or that and what two digits hold.
+        let drawn = with_two.tolerance - with_two.entry.rounding;
+        let most = with_two.tolerance.max(2.0 * drawn);
+        assert!(value.tolerance <= 1.001 * most, "{value:?}");
+    }
+    assert!(two.is_passed() && three.is_passed(), "{:?}", two.values);
+}
+
+/// Places of points that contradict what is written are judged, too; those that agree with it change nothing.
+#[test]
+fn places_that_contradict_written_values_are_judged() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a sound scene");
+    let key = answer_key(&solution, 2);
+    let four = |value: f64| format!("{:+.*}", (3 - libm::log10(value.abs()).floor() as i32).max(0) as usize, value);
+    let check = |x: f64, y: f64| {
+        let mut measured = written(&solution, four);
+        measured.mu[Sheet::Velocity] = Some(5.0);
+        let mut points = PointsOf::new(Sheet::Velocity);
+        points.put("p", [0.0, 0.0], None);
+        points.put("b", [x, y], None);
+        measured.points.push(points);
+        kinegon::check::check(&measured, &key).expect("a form that is understood")
+    };
+    // b is 120 mm from the pole.
+    let right = check(-103.9, 60.0);
+    assert!(right.is_passed() && right.values.iter().all(|value| value.verdict == Verdict::Right));
+    let wrong = check(1.0, 1.0);
+    let length = wrong.values.iter().find(|value| value.entry.asked.name() == "vplan(p,b)").expect("it is there");
+    assert_eq!(length.verdict, Verdict::Off);
+    assert!(!wrong.is_passed() && !report(&wrong, &key).contains("All correct"));
+}

@@ -119,6 +119,26 @@ fn no_line_of_a_table_is_passed_over() {
     assert_eq!(blank.status.code(), Some(1), "{}", stderr(&blank));
 }
 
+/// A line that stands twice is refused as JSON refuses it, whatever it says; a blank is none.
+#[test]
+fn no_line_of_a_table_stands_twice() {
+    for [first, second] in [
+        ["mu_v,2,", "mu_v,4,"],
+        ["positive,counter-clockwise", "positive,clockwise"],
+        ["name,A,", "name,B,"],
+        ["velocity:p,0,0", "velocity: p,1,1"],
+        ["omega(4),-0.475", "omega(4),5"],
+        ["omega(4),-0.475", "omega(4),-0.475"],
+    ] {
+        let said = refused("twice.csv", &format!("quantity,value,unit\n{first}\nL(B,S3),370.96,mm\n{second}\n"));
+        let name = first.split(',').next().expect("a name");
+        assert!(said.contains(&format!("line 4: key `{name}` stands twice: first at line 2")), "{said}");
+        assert!(said.contains("keep one of them"), "{said}");
+    }
+    let blank = check("blank-twice.csv", "omega(4),,\nL(B,S3),370.96,mm\nomega(4),-0.475\nomega(4),\n", &[]);
+    assert_eq!(blank.status.code(), Some(1), "{}", stderr(&blank));
+}
+
 #[test]
 fn a_wrong_value_fails_and_json_says_the_same() {
     let text = form(r#""values": { "L(B,S3)": 370.96, "vplan(b,s3)": 79.41 }"#);
@@ -450,4 +470,31 @@ fn corners_that_are_not_there_are_refused_everywhere() {
     }
     let (code, said) = said(&["draw", "--focus", "scheme", "-o", "x.svg"]);
     assert_eq!(code, Some(0), "{said}");
+}
+
+/// A scene's form that asks for what is not there is refused at its place by all that make something of the form.
+#[test]
+fn a_form_that_asks_for_what_is_not_there_is_refused() {
+    let folder = scratch("asked-not-there");
+    let (scene, form) = (folder.join("scene.json"), folder.join("form.json"));
+    std::fs::write(&form, r#"{ "kinegon_measured": 1, "values": { "L(A,D)": 160 } }"#).expect("written");
+    for (asked, message) in [
+        (json!({ "omega(9)": 1 }), "`omega(9)`: there is no link `9` here"),
+        (json!({ "omega(3)": 1, "vplan(x,y)": 3 }), "`vplan(x,y)`: there is no plan point `x` here"),
+        (json!({ "omega(3)": 1, "v(B)": 1 }), "no step finds `v(B)`"),
+    ] {
+        let mut text: Value = serde_json::from_str(&files::read("templates/four-bar.json")).expect("a scene");
+        text["form"] = asked;
+        std::fs::write(&scene, serde_json::to_string_pretty(&text).expect("JSON")).expect("written");
+        let [path, form] = [&scene, &form].map(|path| path.to_str().expect("UTF-8"));
+        let out = folder.join("out");
+        let exercise = ["exercise", path, "--seed", "1", "-o", out.to_str().expect("UTF-8")];
+        for arguments in [&["check", path, form][..], &["check", path, "--template"], &["solve", path], &exercise] {
+            let output = kinegon().args(arguments).output().expect("it starts");
+            let said = stderr(&output);
+            assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+            assert!(said.contains(message) && said.contains("scene.json:") && said.contains("help"), "{said}");
+        }
+        assert!(!out.exists());
+    }
 }

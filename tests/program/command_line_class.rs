@@ -154,9 +154,18 @@ fn broken_files_are_rows() {
     write("h.json", br#"{ "kinegon_measured": 1, "name": "=HYPERLINK(\"x\")", "values": { "vplan(p,b)": 600 } }"#);
     let long = format!("quantity,value\n{}(3),1\n", "x".repeat(1 << 20));
     write("i.csv", long.as_bytes());
-    // Of no concern: hidden, other endings, subfolders.
+    // What is handed in with another ending is not read, and says so.
+    write("j.txt", good);
+    write("k.xlsx", b"PK\x03\x04\x00\x01");
+    write("l.jpg", b"\xff\xd8\xff");
+    write("m", good);
+    // Of no concern: hidden, what systems and this program put there, subfolders.
     write(".hidden.json", b"{}");
-    write("notes.txt", b"x");
+    for own in ["README", "readme.md", "Thumbs.db", "desktop.ini", "~$k.xlsx", "Ana-2-check.png"] {
+        write(own, b"x");
+    }
+    write("report.jsonl", b"{\"file\":\"a.JSON\"}\n");
+    write("a.html", format!("<!-- {} -->", kinegon::format::FEEDBACK_MARK).as_bytes());
     std::fs::create_dir(folder.join("sub")).expect("made");
     std::fs::write(folder.join("sub/z.json"), good).expect("written");
     let output = run(FOUR_BAR, &folder, &["--depth", "1"]);
@@ -164,7 +173,10 @@ fn broken_files_are_rows() {
     let text = stdout(&output);
     let rows = rows(&text);
     let names: Vec<&str> = rows.iter().map(|row| row["file"].as_str()).collect();
-    let expected = ["a.JSON", "b.csv", "c.csv", "d.csv", "e.json", "f.json", "g.csv", "h.json", "i.csv"];
+    let expected = [
+        "a.JSON", "b.csv", "c.csv", "d.csv", "e.json", "f.json", "g.csv", "h.json", "i.csv", "j.txt", "k.xlsx",
+        "l.jpg", "m",
+    ];
     assert_eq!(names, expected);
     for (index, part) in [
         (0, ""),
@@ -176,6 +188,10 @@ fn broken_files_are_rows() {
         (6, "larger than 4 MB"),
         (7, ""),
         (8, "is no quantity"),
+        (9, "`.json` or `.csv`"),
+        (10, "`.json` or `.csv`"),
+        (11, "photograph"),
+        (12, "`.json` or `.csv`"),
     ] {
         let message = &rows[index]["message"];
         assert!(message.contains(part) || (index == 8 && message.ends_with('…')), "{index}: {message}");
@@ -188,7 +204,7 @@ fn broken_files_are_rows() {
     }
     // What a spreadsheet would take for a formula.
     assert_eq!(rows[7]["name"], "'=HYPERLINK(\"x\")");
-    assert!(stderr(&output).contains("9 files: 0 passed, 0 off, 7 not understood"));
+    assert!(stderr(&output).contains("13 files: 0 passed, 0 off, 11 not understood"));
 }
 
 #[cfg(unix)]
@@ -200,6 +216,36 @@ fn a_pipe_is_not_waited_for() {
     let output = run(FOUR_BAR, &folder, &[]);
     assert_eq!(output.status.code(), Some(2));
     assert!(rows(&stdout(&output))[0]["message"].contains("special"));
+}
+
+/// A pipe in place of a file of an exercise is neither waited for nor passed over.
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_no_file_of_an_exercise() {
+    let folder = scratch("class-exercise-pipe");
+    let [exercises, forms] = ["exercises", "forms"].map(|name| folder.join(name));
+    std::fs::create_dir_all(exercises.join("one")).expect("made");
+    std::fs::create_dir_all(exercises.join("other")).expect("made");
+    std::fs::create_dir_all(&forms).expect("made");
+    std::fs::copy(FOUR_BAR, exercises.join("one/scene.json")).expect("copied");
+    std::fs::copy(FOUR_BAR, exercises.join("other/scene.json")).expect("copied");
+    std::fs::write(forms.join("one.csv"), "omega(2),-2.424\n").expect("written");
+    for file in ["one/marks.json", "other/scene.json", "x.json"] {
+        let path = exercises.join(file);
+        drop(std::fs::remove_file(&path));
+        assert!(std::process::Command::new("mkfifo").arg(&path).status().expect("mkfifo runs").success());
+        for given in [exercises.as_path(), path.parent().expect("a folder")] {
+            let output = run(given.to_str().expect("UTF-8"), &forms, &[]);
+            assert_eq!(output.status.code(), Some(2), "{file}: {}", stdout(&output));
+            assert!(
+                stderr(&output).contains(file) && stderr(&output).contains("is a pipe or a device"),
+                "{}",
+                stderr(&output)
+            );
+        }
+        std::fs::remove_file(&path).expect("removed");
+        std::fs::copy(FOUR_BAR, exercises.join("other/scene.json")).expect("copied");
+    }
 }
 
 /// What a student's link leads to outside of its folder is not read: neither a form, a drawing nor a photograph, nor a file of an exercise.
@@ -461,4 +507,28 @@ fn the_values_of_another_exercise_are_told() {
     let [copied, right] = rows.as_slice() else { panic!("{}", stderr(&output)) };
     assert_eq!((copied["values_of"].as_str(), copied["mistake"].as_str()), (other, ""), "{copied:?}");
     assert_eq!((right["values_of"].as_str(), right["passed"].as_str()), ("", "true"), "{right:?}");
+}
+
+/// A form that names another exercise than its file or its folder does is checked against the one that it names, and its row says so.
+#[test]
+fn a_file_named_after_another_exercise_is_told() {
+    let folder = scratch("class-other-name");
+    let [exercises, forms] = ["exercises", "forms"].map(|name| folder.join(name));
+    for name in ["one", "two"] {
+        std::fs::create_dir_all(exercises.join(name)).expect("made");
+        std::fs::create_dir_all(forms.join(name)).expect("made");
+        std::fs::copy(FOUR_BAR, exercises.join(name).join("scene.json")).expect("copied");
+    }
+    let form = r#"{ "kinegon_measured": 1, "exercise": "one", "positive": "counter-clockwise", "values": { "omega(2)": -2.424 } }"#;
+    for name in ["one Ana.json", "two Bo.json", "Cid.json", "two/Dan.json", "two/one Eva.json"] {
+        std::fs::write(forms.join(name), form).expect("written");
+    }
+    let output = run(exercises.to_str().expect("UTF-8"), &forms, &[]);
+    for row in rows(&stdout(&output)) {
+        let is_told = ["two Bo.json", "two/Dan.json"].contains(&row["file"].as_str());
+        assert_eq!(row["message"].contains("`two`"), is_told, "{row:?}");
+        assert_eq!((row["exercise"].as_str(), row["right"].as_str()), ("one", "1"), "{row:?}");
+    }
+    let alone = run(exercises.to_str().expect("UTF-8"), &forms.join("two Bo.json"), &[]);
+    assert!(stderr(&alone).contains("warning") && stderr(&alone).contains("`two`"), "{}", stderr(&alone));
 }

@@ -105,17 +105,19 @@ fn a_folder_of_photographs_is_a_class() {
     // Who hands in one of two plans belongs to the class, too.
     own(&photos[0], &class.join("Bo"));
     std::fs::write(class.join("Cid.jpg"), b"\xff\xd8\xff no picture").expect("it is written");
+    std::fs::write(class.join("Dan.docx"), b"PK").expect("it is written");
     let forms = folder.join("forms");
     let [class, forms_text] = [&class, &forms].map(|path| path.to_str().expect("a path"));
     let output = check(&scene, &[class, "-o", forms_text]);
     let text = stdout(&output);
     assert_eq!(output.status.code(), Some(2), "{text}{}", stderr(&output));
     let rows: Vec<&str> = text.lines().collect();
-    assert_eq!(rows.len(), 4, "{text}");
+    assert_eq!(rows.len(), 5, "{text}");
     assert!(
         rows[1].starts_with("\"Ana\"") && rows[2].starts_with("\"Bo\"") && rows[3].starts_with("\"Cid\""),
         "{text}"
     );
+    assert!(rows[4].starts_with("\"Dan.docx\",0,") && rows[4].contains("no photograph"), "{text}");
     assert!(forms.join("Ana.json").is_file() && forms.join("Bo.json").is_file() && !forms.join("Cid.json").exists());
     let few = Path::new(class).join("Bo");
     let accepted = check(&scene, &[few.to_str().expect("a path"), "-o", forms_text, "--accept"]);
@@ -153,6 +155,29 @@ fn photographs_of_several_exercises_are_a_class() {
     assert_eq!(checked.lines().count(), 4, "{checked}");
     let accepted = check(&class, &[photos, "-o", forms_text, "--accept"]);
     assert_eq!(stdout(&accepted), checked, "{}", stderr(&accepted));
+}
+
+/// A pipe among photographs is not waited for: it has a row, wherever it lies.
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_no_photograph() {
+    let folder = scratch("photo-pipe");
+    let class = folder.join("photos");
+    std::fs::create_dir_all(class.join("Bo")).expect("a folder");
+    let scene = folder.join("scene.json");
+    std::fs::write(&scene, files::read("templates/four-bar.json")).expect("it is written");
+    for pipe in ["Ana.jpg", "Bo/1.jpg"] {
+        let made = std::process::Command::new("mkfifo").arg(class.join(pipe)).status();
+        assert!(made.expect("mkfifo runs").success());
+    }
+    let out = folder.join("out");
+    let output = check(&scene, &[class.to_str().expect("a path"), "-o", out.to_str().expect("a path")]);
+    let text = stdout(&output);
+    assert_eq!(output.status.code(), Some(2), "{text}{}", stderr(&output));
+    assert_eq!(text.lines().filter(|line| line.contains("is a pipe or a device")).count(), 2, "{text}");
+    let alone = check(&scene, &[class.join("Ana.jpg").to_str().expect("a path")]);
+    assert_eq!(alone.status.code(), Some(2));
+    assert!(stderr(&alone).contains("is a pipe or a device"), "{}", stderr(&alone));
 }
 
 #[test]

@@ -104,6 +104,7 @@ impl Desk {
         }
         let language = self.language();
         let told = self.told(text)?;
+        told.check_form().map_err(|error| Refused::of(text, error))?;
         let with_centers = measured.with_centers(&told);
         let solution = with_centers.as_ref().unwrap_or(&told);
         let key = AnswerKey::new(solution, options.hand());

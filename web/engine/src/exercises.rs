@@ -61,6 +61,7 @@ impl Series {
         options.put_into(&mut scene.figure);
         SizeLimit::HAND.check(&scene).map_err(|error| Refused::of(text, error))?;
         let solution = kinegon::solve(&scene).map_err(|error| Refused::of(text, error))?;
+        solution.check_form().map_err(|error| Refused::of(text, error))?;
         let page = options.page.as_ref().map(|_| solution.scene.figure.page);
         let more = Exercises::new(&solution, page, seed).map_err(refused)?;
         Ok(Series { text: text.to_owned(), seed, options: options.clone(), more, found: Vec::new() })
