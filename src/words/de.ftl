@@ -1878,6 +1878,7 @@ page-layout-link_too_large = Der Link enthält mehr Text, als eine Szene haben d
 page-layout-file_too_large = Die Datei „{$name}“ hat mehr als 4 MB, mehr als eine Szene oder ein Formular haben darf.
 page-layout-unread_file = Die Datei „{$name}“ lässt sich nicht lesen.
 page-layout-opened_file = „{$name}“ ist geöffnet. „Rückgängig“ holt zurück, was da war.
+page-layout-exam_open = In einer Prüfung lässt sich nur eine eigene Zeichnung öffnen.
 page-layout-no_storage = Dieser Browser merkt sich nichts für diese Seite. Sichern Sie die Szene als Datei, bevor Sie sie schließen.
 page-layout-restored = Ihre letzte Szene ist wieder da.
 page-layout-course_deaf = Der Kurs nimmt die Bewertung gerade nicht an. Was Sie schreiben, bleibt auf dieser Seite; sichern Sie das Formular auch im Bereich „Prüfen“, damit Sie es auf anderem Weg abgeben können.
@@ -2332,8 +2333,6 @@ page-values-about = Jede gezeigte Ziffer ist sicher; ± sagt, wie weit der Wert 
 page-values-about_few = Gerundet. „Alle sicheren Ziffern“ zeigt jede sichere Ziffer und wie weit der Wert vom wahren Wert der Szene entfernt sein kann.
 page-values-groups = Assur-Gruppen
 page-values-warnings = Warnungen
-page-values-hidden = Diese Seite wurde mit einem Link für Studierende geöffnet. Die Werte hier sind das, wonach das Blatt fragt.
-page-values-reveal = Trotzdem zeigen
 
 
 ## The workbench: modes
@@ -2429,6 +2428,7 @@ page-check-task_is = Dies ist Aufgabe {$name}. „Rückgängig“ holt die vorig
 page-check-task_steps = Schritte der Konstruktion
 page-check-task_making = Das Blatt wird erstellt…
 page-check-intro = Schreiben Sie, was Sie an Ihrer Zeichnung abgelesen haben, Wert für Wert. Jeder wird geprüft, sobald er dasteht.
+page-check-exam = Dies ist eine Prüfung: Zeichnen Sie am Zeichenbrett und geben Sie dort ab. Vorher wird nichts beurteilt und nichts gezeigt.
 page-check-no_scene = Diese Szene hat kein Formular zu prüfen: Sie ist nicht lösbar.
 page-check-no_boxes = Diese Szene hat keine Konstruktion von Hand, daher hat ihr Formular keine Kästchen.
 page-check-file = Formular

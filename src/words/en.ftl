@@ -1910,6 +1910,7 @@ page-layout-link_too_large = The link holds more text than a scene may have, so 
 page-layout-file_too_large = The file “{$name}” has more than 4 MB, more than a scene or a form may have.
 page-layout-unread_file = The file “{$name}” cannot be read.
 page-layout-opened_file = Opened “{$name}”. Undo brings back what was there.
+page-layout-exam_open = In an exam only a drawing of your own can be opened.
 page-layout-no_storage = This browser keeps nothing for this page. Save the scene as a file before you close it.
 page-layout-restored = Your last scene is back.
 page-layout-course_deaf = The course does not take the marks just now. What you write stays on this page; save the form in the panel Check as well, so that you can hand it in another way.
@@ -2364,8 +2365,6 @@ page-values-about = Every digit shown is certain; ± is how far the value can be
 page-values-about_few = Rounded. “All certain digits” shows every digit that is certain, and how far the value can be from the scene’s true one.
 page-values-groups = Assur groups
 page-values-warnings = Warnings
-page-values-hidden = This page was opened with a student’s link. The values here are what the sheet asks for.
-page-values-reveal = Show them all the same
 
 
 ## The workbench: modes
@@ -2461,6 +2460,7 @@ page-check-task_is = This is exercise {$name}. Undo brings the one before back.
 page-check-task_steps = Steps of the construction
 page-check-task_making = The sheet is being made…
 page-check-intro = Write what you have read off your drawing, value by value. Each is checked as soon as it stands there.
+page-check-exam = This is an exam: draw on the board and hand in there. Nothing is judged or shown before that.
 page-check-no_scene = This scene has no form to check: it cannot be solved.
 page-check-no_boxes = This scene has no construction by hand, so its form has no boxes.
 page-check-file = Form

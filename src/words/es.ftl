@@ -1876,6 +1876,7 @@ page-layout-link_too_large = El enlace contiene más texto del que puede tener u
 page-layout-file_too_large = El archivo «{$name}» tiene más de 4 MB, más de lo que puede tener una escena o un formulario.
 page-layout-unread_file = No se puede leer el archivo «{$name}».
 page-layout-opened_file = Se abrió «{$name}». Deshacer devuelve lo que había.
+page-layout-exam_open = En un examen solo se puede abrir un dibujo propio.
 page-layout-no_storage = Este navegador no guarda nada de esta página. Guarde la escena en un archivo antes de cerrarla.
 page-layout-restored = Aquí está de nuevo su última escena.
 page-layout-course_deaf = El curso no recibe la calificación en este momento. Lo que usted escriba queda en esta página; guarde además el formulario en el panel Comprobar, para poder entregarlo de otro modo.
@@ -2330,8 +2331,6 @@ page-values-about = Toda cifra que se muestra es segura; ± dice cuánto puede d
 page-values-about_few = Redondeado. «Cifras seguras» muestra toda cifra segura y cuánto puede distar el valor del verdadero de la escena.
 page-values-groups = Grupos de Assur
 page-values-warnings = Advertencias
-page-values-hidden = Esta página se abrió con un enlace para estudiantes. Los valores de aquí son los que pide la hoja.
-page-values-reveal = Mostrarlos de todos modos
 
 
 ## The workbench: modes
@@ -2427,6 +2426,7 @@ page-check-task_is = Este es el ejercicio {$name}. Deshacer devuelve el anterior
 page-check-task_steps = Pasos de la construcción
 page-check-task_making = Se prepara la lámina…
 page-check-intro = Escribe lo que has leído en tu dibujo, valor por valor. Cada uno se comprueba en cuanto está escrito.
+page-check-exam = Esto es un examen: dibuja en el tablero y entrega allí. Antes no se corrige ni se muestra nada.
 page-check-no_scene = Esta escena no tiene formulario: no se puede resolver.
 page-check-no_boxes = Esta escena no tiene construcción a mano; su formulario no tiene casillas.
 page-check-file = Formulario

@@ -1878,6 +1878,7 @@ page-layout-link_too_large = O link contém mais texto do que uma cena pode ter,
 page-layout-file_too_large = O arquivo “{$name}” tem mais de 4 MB, mais do que uma cena ou um formulário pode ter.
 page-layout-unread_file = O arquivo “{$name}” não pode ser lido.
 page-layout-opened_file = “{$name}” foi aberto. Desfazer traz de volta o que havia.
+page-layout-exam_open = Numa prova só se pode abrir um desenho próprio.
 page-layout-no_storage = Este navegador não guarda nada desta página. Salve a cena em um arquivo antes de fechá-la.
 page-layout-restored = Sua última cena está de volta.
 page-layout-course_deaf = O curso não está recebendo a nota agora. O que você escreve fica nesta página; salve também o formulário no painel Conferir, para poder entregá-lo de outro modo.
@@ -2332,8 +2333,6 @@ page-values-about = Todo dígito mostrado é certo; ± diz a que distância o va
 page-values-about_few = Arredondado. “Todos os dígitos certos” mostra cada dígito certo, e a que distância o valor pode estar do verdadeiro da cena.
 page-values-groups = Grupos de Assur
 page-values-warnings = Avisos
-page-values-hidden = Esta página foi aberta com um link para estudantes. Os valores aqui são os que a folha pede.
-page-values-reveal = Mostrá-los mesmo assim
 
 
 ## The workbench: modes
@@ -2429,6 +2428,7 @@ page-check-task_is = Este é o exercício {$name}. Desfazer traz de volta o ante
 page-check-task_steps = Passos da construção
 page-check-task_making = A folha está sendo feita…
 page-check-intro = Escreva o que leu no seu desenho, valor por valor. Cada um é conferido assim que está escrito.
+page-check-exam = Isto é uma prova: desenhe na prancheta e entregue ali. Antes disso nada é corrigido nem mostrado.
 page-check-no_scene = Esta cena não tem formulário a conferir: não pode ser resolvida.
 page-check-no_boxes = Esta cena não tem construção à mão; seu formulário não tem campos.
 page-check-file = Formulário

@@ -54,6 +54,8 @@ export interface App {
   task: Signal<Task | null>;
   /** How the drawing board is used, where a link has said it. */
   board: Signal<BoardUse | null>;
+  /** Whether an exam is under way: nothing is judged, hinted or shown until the work is handed in. */
+  exam: Signal<boolean>;
   /** The drawings of a class that somebody brings. */
   handed: Signal<readonly HandedIn[]>;
   /** Whether the drawing board is shown. */

@@ -44,6 +44,7 @@ import type { Sheet } from "./sheets.ts";
 import { baseOf, documentOf, hashOf, type BadLink, type BoardUse, type Shared, type Task } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";
 import { course } from "./state/course.ts";
+import { examOf } from "./state/exam.ts";
 import { history, type Document } from "./state/history.ts";
 import { beginning, type Beginning } from "./state/route.ts";
 import { signal } from "./state/signal.ts";
@@ -68,9 +69,15 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
   // What this very tab has is newer than what the course has kept.
   const form = shared.asked === undefined && hears !== null ? hears.form : (shared.form ?? "");
   const drawing = shared.asked === undefined && hears !== null && hears.drawing !== "" ? hears.drawing : (shared.drawing ?? "");
+  const own = {
+    history: history({ text: shared.text, form, drawing }, past),
+    student: signal(shared.student ?? false),
+    board: signal<BoardUse | null>(shared.board ?? null),
+  };
   const app: App = {
     root: document,
-    history: history({ text: shared.text, form, drawing }, past),
+    ...own,
+    exam: examOf(own),
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
     typing: signal(false),
@@ -84,22 +91,22 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
     pins: signal({ points: [], lengths: [] }),
     building: signal(false),
     card: signal<App["card"]["value"]>(null),
-    student: signal(shared.student ?? false),
     task: signal<Task | null>(shared.task ?? null),
-    board: signal<BoardUse | null>(shared.board ?? null),
     drawing: signal(false),
     course: hears,
     asked,
     tell,
     speak,
     shown: signal(""),
-    show: (panel) => app.shown.set(panel),
+    // A student has one panel; the others show answers.
+    show: (panel) => (!app.student.value || panel === "" || panel === STUDENTS_PANEL) && app.shown.set(panel),
     place: signal<{ from: number; to: number } | null>(null),
     brought: signal<{ name: string; text: string } | null>(null),
     handed: signal<readonly HandedIn[]>([]),
     photographed: signal<File | null>(null),
     film: null,
     open(text) {
+      if (app.exam.value) return tell(say("exam_open"));
       app.task.set(null);
       app.board.set(null);
       app.history.change({ text, drawing: "" });

@@ -141,6 +141,7 @@ export const layout = {
     "file_too_large": "The file “{name}” has more than 4 MB, more than a scene or a form may have.",
     "unread_file": "The file “{name}” cannot be read.",
     "opened_file": "Opened “{name}”. Undo brings back what was there.",
+    "exam_open": "In an exam only a drawing of your own can be opened.",
     "no_storage": "This browser keeps nothing for this page. Save the scene as a file before you close it.",
     "restored": "Your last scene is back.",
     "course_deaf": "The course does not take the marks just now. What you write stays on this page; save the form in the panel Check as well, so that you can hand it in another way.",
@@ -292,6 +293,7 @@ export const layout = {
     "file_too_large": "El archivo «{name}» tiene más de 4 MB, más de lo que puede tener una escena o un formulario.",
     "unread_file": "No se puede leer el archivo «{name}».",
     "opened_file": "Se abrió «{name}». Deshacer devuelve lo que había.",
+    "exam_open": "En un examen solo se puede abrir un dibujo propio.",
     "no_storage": "Este navegador no guarda nada de esta página. Guarde la escena en un archivo antes de cerrarla.",
     "restored": "Aquí está de nuevo su última escena.",
     "course_deaf": "El curso no recibe la calificación en este momento. Lo que usted escriba queda en esta página; guarde además el formulario en el panel Comprobar, para poder entregarlo de otro modo.",
@@ -443,6 +445,7 @@ export const layout = {
     "file_too_large": "Die Datei „{name}“ hat mehr als 4 MB, mehr als eine Szene oder ein Formular haben darf.",
     "unread_file": "Die Datei „{name}“ lässt sich nicht lesen.",
     "opened_file": "„{name}“ ist geöffnet. „Rückgängig“ holt zurück, was da war.",
+    "exam_open": "In einer Prüfung lässt sich nur eine eigene Zeichnung öffnen.",
     "no_storage": "Dieser Browser merkt sich nichts für diese Seite. Sichern Sie die Szene als Datei, bevor Sie sie schließen.",
     "restored": "Ihre letzte Szene ist wieder da.",
     "course_deaf": "Der Kurs nimmt die Bewertung gerade nicht an. Was Sie schreiben, bleibt auf dieser Seite; sichern Sie das Formular auch im Bereich „Prüfen“, damit Sie es auf anderem Weg abgeben können.",
@@ -594,6 +597,7 @@ export const layout = {
     "file_too_large": "O arquivo “{name}” tem mais de 4 MB, mais do que uma cena ou um formulário pode ter.",
     "unread_file": "O arquivo “{name}” não pode ser lido.",
     "opened_file": "“{name}” foi aberto. Desfazer traz de volta o que havia.",
+    "exam_open": "Numa prova só se pode abrir um desenho próprio.",
     "no_storage": "Este navegador não guarda nada desta página. Salve a cena em um arquivo antes de fechá-la.",
     "restored": "Sua última cena está de volta.",
     "course_deaf": "O curso não está recebendo a nota agora. O que você escreve fica nesta página; salve também o formulário no painel Conferir, para poder entregá-lo de outro modo.",
@@ -2275,9 +2279,7 @@ export const values = {
     "about": "Every digit shown is certain; ± is how far the value can be from the scene’s true one.",
     "about_few": "Rounded. “All certain digits” shows every digit that is certain, and how far the value can be from the scene’s true one.",
     "groups": "Assur groups",
-    "warnings": "Warnings",
-    "hidden": "This page was opened with a student’s link. The values here are what the sheet asks for.",
-    "reveal": "Show them all the same"
+    "warnings": "Warnings"
   },
   "es": {
     "panel_title": "Valores",
@@ -2298,9 +2300,7 @@ export const values = {
     "about": "Toda cifra que se muestra es segura; ± dice cuánto puede distar el valor del verdadero de la escena.",
     "about_few": "Redondeado. «Cifras seguras» muestra toda cifra segura y cuánto puede distar el valor del verdadero de la escena.",
     "groups": "Grupos de Assur",
-    "warnings": "Advertencias",
-    "hidden": "Esta página se abrió con un enlace para estudiantes. Los valores de aquí son los que pide la hoja.",
-    "reveal": "Mostrarlos de todos modos"
+    "warnings": "Advertencias"
   },
   "de": {
     "panel_title": "Werte",
@@ -2321,9 +2321,7 @@ export const values = {
     "about": "Jede gezeigte Ziffer ist sicher; ± sagt, wie weit der Wert vom wahren Wert der Szene entfernt sein kann.",
     "about_few": "Gerundet. „Alle sicheren Ziffern“ zeigt jede sichere Ziffer und wie weit der Wert vom wahren Wert der Szene entfernt sein kann.",
     "groups": "Assur-Gruppen",
-    "warnings": "Warnungen",
-    "hidden": "Diese Seite wurde mit einem Link für Studierende geöffnet. Die Werte hier sind das, wonach das Blatt fragt.",
-    "reveal": "Trotzdem zeigen"
+    "warnings": "Warnungen"
   },
   "pt": {
     "panel_title": "Valores",
@@ -2344,9 +2342,7 @@ export const values = {
     "about": "Todo dígito mostrado é certo; ± diz a que distância o valor pode estar do verdadeiro da cena.",
     "about_few": "Arredondado. “Todos os dígitos certos” mostra cada dígito certo, e a que distância o valor pode estar do verdadeiro da cena.",
     "groups": "Grupos de Assur",
-    "warnings": "Avisos",
-    "hidden": "Esta página foi aberta com um link para estudantes. Os valores aqui são os que a folha pede.",
-    "reveal": "Mostrá-los mesmo assim"
+    "warnings": "Avisos"
   }
 };
 
@@ -2657,6 +2653,7 @@ export const check = {
     "task_steps": "Steps of the construction",
     "task_making": "The sheet is being made…",
     "intro": "Write what you have read off your drawing, value by value. Each is checked as soon as it stands there.",
+    "exam": "This is an exam: draw on the board and hand in there. Nothing is judged or shown before that.",
     "no_scene": "This scene has no form to check: it cannot be solved.",
     "no_boxes": "This scene has no construction by hand, so its form has no boxes.",
     "file": "Form",
@@ -2746,6 +2743,7 @@ export const check = {
     "task_steps": "Pasos de la construcción",
     "task_making": "Se prepara la lámina…",
     "intro": "Escribe lo que has leído en tu dibujo, valor por valor. Cada uno se comprueba en cuanto está escrito.",
+    "exam": "Esto es un examen: dibuja en el tablero y entrega allí. Antes no se corrige ni se muestra nada.",
     "no_scene": "Esta escena no tiene formulario: no se puede resolver.",
     "no_boxes": "Esta escena no tiene construcción a mano; su formulario no tiene casillas.",
     "file": "Formulario",
@@ -2835,6 +2833,7 @@ export const check = {
     "task_steps": "Schritte der Konstruktion",
     "task_making": "Das Blatt wird erstellt…",
     "intro": "Schreiben Sie, was Sie an Ihrer Zeichnung abgelesen haben, Wert für Wert. Jeder wird geprüft, sobald er dasteht.",
+    "exam": "Dies ist eine Prüfung: Zeichnen Sie am Zeichenbrett und geben Sie dort ab. Vorher wird nichts beurteilt und nichts gezeigt.",
     "no_scene": "Diese Szene hat kein Formular zu prüfen: Sie ist nicht lösbar.",
     "no_boxes": "Diese Szene hat keine Konstruktion von Hand, daher hat ihr Formular keine Kästchen.",
     "file": "Formular",
@@ -2924,6 +2923,7 @@ export const check = {
     "task_steps": "Passos da construção",
     "task_making": "A folha está sendo feita…",
     "intro": "Escreva o que leu no seu desenho, valor por valor. Cada um é conferido assim que está escrito.",
+    "exam": "Isto é uma prova: desenhe na prancheta e entregue ali. Antes disso nada é corrigido nem mostrado.",
     "no_scene": "Esta cena não tem formulário a conferir: não pode ser resolvida.",
     "no_boxes": "Esta cena não tem construção à mão; seu formulário não tem campos.",
     "file": "Formulário",

@@ -121,8 +121,12 @@ export function judging(app: App, model: Model): Judging {
       if (known === null) return;
       try {
         const form = formFile(await app.engine.board_form(known.scene, known.drawing));
+        const use = model.use();
+        if (use.mode === "exam") {
+          save();
+          app.board.set({ ...use, handed_in: app.history.now.value.text });
+        }
         if (form !== null) app.history.change({ form: formText(withFewDigits(form, DIGITS)) });
-        if (model.use().mode === "exam") save();
         tell(say("handed_in"));
       } catch (refused) {
         tell(said(refused), true);

@@ -19,12 +19,14 @@ function isForCheck(name: string, text: string): boolean {
 
 /** Takes a text that somebody brings: a scene in place of the present one; what is for the check beside it; a drawing on the board. */
 function take(app: App, name: string, text: string): void {
+  const isDrawing = drawingOf(text) !== null;
+  if (app.exam.value && !isDrawing) return app.tell(say("exam_open"));
   if (isForCheck(name, text)) {
     app.brought.set({ name, text });
     app.show("check");
     return;
   }
-  if (drawingOf(text) !== null) {
+  if (isDrawing) {
     app.history.draw(text);
     return app.drawing.set(true);
   }
@@ -52,6 +54,7 @@ const PICTURE = /\.(jpe?g|png|webp|avif|heic|heif)$/i;
 /** Opens a file that somebody brings; none where none is chosen. A picture is a photograph of a drawing. */
 export async function openFile(app: App, file: File | null): Promise<void> {
   if (file !== null && (/^image\/(?!svg)/.test(file.type) || PICTURE.test(file.name))) {
+    if (app.exam.value) return app.tell(say("exam_open"));
     app.photographed.set(file);
     return app.show("check");
   }

@@ -37,6 +37,8 @@ export function documents(app: App, store: Store): void {
     const others = store.others();
     const taught = lesson();
     menu.replaceChildren(open);
+    // In an exam nothing is looked up.
+    if (app.exam.value) return;
     if (taught !== null) menu.append(entry([element("span", {}, say("lesson"))], () => app.open(taught.text)));
     if (others.length === 0) return;
     const forget = entry([element("span", {}, say("forget"))], () => store.forgetOthers());

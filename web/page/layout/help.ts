@@ -2,6 +2,7 @@ import type { App } from "../app.ts";
 import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import type { Store } from "../state/storage.ts";
+import { STUDENTS_PANEL } from "../state/studying.ts";
 import notices from "../../../templates/workbench-third-party.txt";
 import { say, type Saying } from "./words.ts";
 
@@ -30,7 +31,7 @@ const LETTERS: [string, Saying][] = [
   ["μ", "letter_scale"],
 ];
 
-/** What people come for: a heading, what to do, and the panel where they do it. */
+/** What people come for: a heading, what to do, and the panel where they do it; a student is led to the own panel alone. */
 const WAYS: [Saying, Saying, string][] = [
   ["way_new", "way_new_how", "values"],
   ["way_lecture", "way_lecture_how", "mechanism"],
@@ -52,7 +53,7 @@ export function help(app: App, store: Store, begin: () => void): void {
     const letters = LETTERS.map(([letter, what]) => element("tr", {}, element("th", { scope: "row" }, element("i", {}, letter)), element("td", {}, say(what))));
     const again = element("button", { type: "button", id: "help-tour" }, say("tour"));
     again.onclick = () => (dialog.close(), begin());
-    const ways = WAYS.map(([title, how, panel]) => {
+    const ways = WAYS.filter(([, , panel]) => !app.student.value || panel === STUDENTS_PANEL).map(([title, how, panel]) => {
       const go = element("button", { type: "button" }, say("way_go", { panel: byId(`tab-${panel}`).textContent ?? "" }));
       go.onclick = () => (dialog.close(), app.show(panel));
       return element("section", {}, element("h3", {}, say(title)), element("p", {}, say(how)), go);

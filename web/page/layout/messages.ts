@@ -32,7 +32,8 @@ export function messages(app: App): void {
     // What is scrolled is scrolled by keys, too.
     if (text.scrollHeight > text.clientHeight) text.tabIndex = 0;
     const { from, to } = why;
-    if (from === null) return;
+    // A student has no panel with the text.
+    if (from === null || app.student.value) return;
     const go = element("button", { type: "button", id: "message-place" }, say("to_text"));
     go.onclick = () => {
       app.show("text");

@@ -24,6 +24,8 @@ export interface BoardUse {
   snap: (typeof SNAPS)[number];
   /** Whether a wrong operation is told at once; else when it is asked for. Only to practise. */
   at_once: boolean;
+  /** The text of the scene whose drawing has been handed in; this page keeps it, and no link says it. */
+  handed_in?: string;
 }
 const BOARD_MODES = ["practice", "exam", "demonstration"] as const;
 const SNAPS = ["all", "points", "none"] as const;

@@ -26,7 +26,7 @@ export interface Checking {
   unchecked: Set<string>;
 }
 
-/** Checks the form whenever it has changed; one check is under way at a time, and the newest form wins. */
+/** Checks the form whenever it has changed, except in an exam; one check is under way at a time, and the newest form wins. */
 export function checking(app: App): Checking {
   const verdicts = signal<Verdicts>({ checked: null, refused: null, isChecking: false });
   const scheme: Checking["scheme"] = signal<{ name: string; text: string } | null>(null);
@@ -38,7 +38,7 @@ export function checking(app: App): Checking {
     const { form } = app.history.now.value;
     const { good } = app.solved.value;
     const file = formFile(form);
-    if (good === "" || file === null || !hasValues(file)) {
+    if (good === "" || file === null || !hasValues(file) || app.exam.value) {
       unchecked.clear();
       verdicts.set({ checked: null, refused: null, isChecking: false });
       return;
@@ -83,6 +83,7 @@ export function checking(app: App): Checking {
   app.history.now.on(changed);
   app.solved.on(changed);
   scheme.on(run);
+  app.exam.on(run);
   writing.on((field) => {
     if (field === null) run();
     else unchecked.add(field);

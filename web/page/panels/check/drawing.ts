@@ -12,7 +12,10 @@ export function drawingBlock(app: App): { root: HTMLElement; show(form: Form): v
   const call = (): void => void (open.textContent = say((drawingOf(app.history.now.value.drawing ?? "")?.did.length ?? 0) > 0 ? "go_on" : "begin"));
   app.history.now.on(call);
   language.on(call);
-  const root = element("div", { class: "photograph" }, element("div", { class: "ways" }, open), worded(element("p", { class: "quiet" }), () => say("intro")));
+  const intro = worded(element("p", { class: "quiet" }), () => say("intro"));
+  // In an exam no line is named.
+  app.exam.on((is) => (intro.hidden = is));
+  const root = element("div", { class: "photograph" }, element("div", { class: "ways" }, open), intro);
   return {
     root,
     show(form) {

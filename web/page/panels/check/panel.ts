@@ -44,6 +44,7 @@ function mount(root: HTMLElement, app: App): void {
   }
 
   const intro = element("p", { class: "quiet" });
+  const exam = element("p", { class: "quiet", hidden: true });
   const top = head(typed, left);
   const boxes = rows({
     changed(name, value, isTyping) {
@@ -78,7 +79,7 @@ function mount(root: HTMLElement, app: App): void {
   drawing.isShown.on((is) => is && photo.hide());
   const camera = photoBlock(app, photo);
   const drawn = drawingBlock(app);
-  const all = element("div", { class: "all" }, taskPart(app), intro, drawn.root, camera.root, files, top.root, boxes.root, points.root, whole.root);
+  const all = element("div", { class: "all" }, taskPart(app), exam, intro, drawn.root, camera.root, files, top.root, boxes.root, points.root, whole.root);
   const none = element("p", { class: "quiet" });
   root.append(none, all, foot.root);
   // The browser's own undo ends at the field's edge; the page's goes through all of the form.
@@ -115,6 +116,7 @@ function mount(root: HTMLElement, app: App): void {
     all.hidden = foot.root.hidden = !none.hidden;
     if (form === null) return;
     intro.textContent = say("intro");
+    exam.textContent = say("exam");
     top.build(form);
     boxes.build(form);
     points.build(form);
@@ -157,6 +159,13 @@ function mount(root: HTMLElement, app: App): void {
   // A letter is told first and then put into the form: shown in between, the field would lose it.
   check.writing.on(() => queueMicrotask(show));
   app.student.on(show);
+  // In an exam there is the exercise, the way to the board, and whose it is.
+  app.exam.on((is) => {
+    exam.hidden = !is;
+    for (const part of [intro, camera.root, files, boxes.root, points.root, whole.root, foot.root]) part.classList.toggle("put-away", is);
+    top.root.classList.toggle("name-alone", is);
+    if (is) photo.hide();
+  });
   language.on(() => form !== null && build());
 }
 

@@ -51,7 +51,7 @@ export function taskPart(app: App): HTMLElement {
       reading,
       ...(task.more ? [press(say("task_next"), () => void next(task))] : []),
     ];
-    root.replaceChildren(title, element("p", { class: "quiet" }, say("task_intro")), ...givenIn(sheet), stamp, element("p", { class: "buttons" }, ...buttons), ...(task.steps ? [stepsOf(app)] : []));
+    root.replaceChildren(title, ...(app.exam.value ? [] : [element("p", { class: "quiet" }, say("task_intro"))]), ...givenIn(sheet), stamp, element("p", { class: "buttons" }, ...buttons), ...(task.steps ? [stepsOf(app)] : []));
   }
 
   /** Goes on with the next exercise; undo brings this one back. */
@@ -70,6 +70,7 @@ export function taskPart(app: App): HTMLElement {
     if (task !== null) maker.want(task);
     show();
   });
+  app.exam.on(show);
   large.isShown.on(show);
   isDark.on(show);
   language.on(show);

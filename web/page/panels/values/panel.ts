@@ -22,31 +22,10 @@ const LONGEST = 1_000;
 export const values: Panel = {
   id: "values",
   title: () => say("panel_title"),
-  mount(root, app) {
-    const contents = element("div");
-    root.append(contents);
-    cover(contents, app);
-    fill(contents, app);
-  },
+  mount,
 };
 
-/** Hides the values of a student's page until they are asked for. */
-function cover(contents: HTMLElement, app: App): void {
-  const sentence = worded(element("p"), () => say("hidden"));
-  const reveal = button(() => say("reveal"), () => {
-    covering.remove();
-    contents.hidden = false;
-    contents.querySelector("input")?.focus();
-  }, { class: "framed" });
-  const covering = element("div", { class: "covering" }, sentence, reveal);
-  contents.before(covering);
-  app.student.on((student) => {
-    covering.hidden = !student;
-    contents.hidden = student;
-  });
-}
-
-function fill(contents: HTMLElement, app: App): void {
+function mount(contents: HTMLElement, app: App): void {
   let rows: Value[] = [];
   let shown: Value[] = [];
   const search = worded(element("input", { type: "search", oninput: () => list() }), () => say("find"), "placeholder");
