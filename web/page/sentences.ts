@@ -2724,7 +2724,8 @@ export const check = {
     "overlay_hide": "Back to the picture",
     "right_values": "Show the right values",
     "right_plan": "Show the right plan",
-    "right_plan_later": "The right plan can be shown when all boxes are filled.",
+    "right_plan_later": "The right plan can be shown when every box has a value that can be read.",
+    "right_plan_counts": "This counts as all hints, and your form says so.",
     "right_plan_shown": "The right plan and all values are shown now.",
     "feedback": "Save the report as a page",
     "mm": "mm"
@@ -2814,7 +2815,8 @@ export const check = {
     "overlay_hide": "Volver a la imagen",
     "right_values": "Mostrar los valores correctos",
     "right_plan": "Mostrar el plano correcto",
-    "right_plan_later": "El plano correcto se puede ver cuando todas las casillas están escritas.",
+    "right_plan_later": "El plano correcto se puede ver cuando en cada casilla hay un valor que se puede leer.",
+    "right_plan_counts": "Cuenta como todas las pistas, y así queda en el formulario.",
     "right_plan_shown": "Ahora se ven el plano correcto y todos los valores.",
     "feedback": "Guardar el informe como página",
     "mm": "mm"
@@ -2904,7 +2906,8 @@ export const check = {
     "overlay_hide": "Zurück zum Bild",
     "right_values": "Richtige Werte zeigen",
     "right_plan": "Richtigen Plan zeigen",
-    "right_plan_later": "Der richtige Plan lässt sich zeigen, wenn alle Kästchen gefüllt sind.",
+    "right_plan_later": "Der richtige Plan lässt sich zeigen, wenn in jedem Kästchen ein lesbarer Wert steht.",
+    "right_plan_counts": "Das zählt als alle Tipps und steht so im Formular.",
     "right_plan_shown": "Der richtige Plan und alle Werte sind jetzt zu sehen.",
     "feedback": "Bericht als Seite sichern",
     "mm": "mm"
@@ -2994,7 +2997,8 @@ export const check = {
     "overlay_hide": "Voltar à figura",
     "right_values": "Ver os valores corretos",
     "right_plan": "Ver o polígono correto",
-    "right_plan_later": "O polígono correto pode ser visto quando todos os campos estão escritos.",
+    "right_plan_later": "O polígono correto pode ser visto quando em cada campo há um valor que se pode ler.",
+    "right_plan_counts": "Isto conta como todas as dicas, e assim fica no formulário.",
     "right_plan_shown": "Agora se veem o polígono correto e todos os valores.",
     "feedback": "Salvar o relatório como página",
     "mm": "mm"

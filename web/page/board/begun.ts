@@ -10,11 +10,11 @@ import { drawingOf, drawingText, type Drawing } from "./file.ts";
 const USUAL: BoardUse = { mode: "practice", snap: "all", at_once: false };
 export const useOf = (app: App): BoardUse => app.board.value ?? USUAL;
 
-/** An empty drawing with its exercise, whose it is, and what the hand is helped with. */
+/** An empty drawing with its exercise, whose it is, the hints that were opened, and what the hand is helped with. */
 export function begunWith(app: App, empty: string): string {
-  const { exercise, name } = formFile(app.history.now.value.form) ?? {};
+  const { exercise, name, hints } = formFile(app.history.now.value.form) ?? {};
   const { did = [], ...head } = drawingOf(empty) ?? { kinegon_drawing: 1 as const };
-  return drawingText({ ...head, ...(name && { name }), ...(exercise && { exercise }), snap: useOf(app).snap, did });
+  return drawingText({ ...head, ...(name && { name }), ...(exercise && { exercise }), ...(hints && { hints }), snap: useOf(app).snap, did });
 }
 
 /** A plan's points on paper: in mm from its pole at a scale in units per mm. */

@@ -6,7 +6,8 @@ import { radios } from "../dom/radios.ts";
 import { button, worded } from "../dom/worded.ts";
 import { askedFor, textOf } from "../files/open.ts";
 import { name } from "../layout/say.ts";
-import { said } from "../refused.ts";
+import { noteAnswers } from "../panels/check/told.ts";
+import { orTell, said } from "../refused.ts";
 import { called, DRAWN_ON, type Sheet } from "../sheets.ts";
 import { goodText } from "../state/solving.ts";
 import { language } from "../words.ts";
@@ -35,6 +36,8 @@ export function board(app: App): void {
     if (is) made ??= builds(app);
     made?.show(is);
   });
+  // What is drawn after the answers were seen says so.
+  app.drawing.on((is) => !is && app.student.value && app.board.value?.mode === "exam" && !app.exam.value && void orTell(app, () => noteAnswers(app, "drawing")));
   // A link that is about the board leads there.
   app.board.on((use) => use !== null && app.student.value && app.drawing.set(true));
 }

@@ -1,7 +1,7 @@
 /** What is told of the drawing: verdicts, hints by stages, and what is handed in. */
 import type { App } from "../app.ts";
 import { fileName, saveFile } from "../files/save.ts";
-import { formFile, formText, withFewDigits } from "../panels/check/form.ts";
+import { formFile, formText, withFewDigits, withHintsOf } from "../panels/check/form.ts";
 import { said } from "../refused.ts";
 import { newest } from "../state/newest.ts";
 import { signal, type Signal } from "../state/signal.ts";
@@ -126,7 +126,7 @@ export function judging(app: App, model: Model): Judging {
           save();
           app.board.set({ ...use, handed_in: app.history.now.value.text });
         }
-        if (form !== null) app.history.change({ form: formText(withFewDigits(form, DIGITS)) });
+        if (form !== null) app.history.change({ form: withHintsOf(formText(withFewDigits(form, DIGITS)), app.history.now.value.form) });
         tell(say("handed_in"));
       } catch (refused) {
         tell(said(refused), true);

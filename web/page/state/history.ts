@@ -1,3 +1,4 @@
+import { withHintsOf } from "../panels/check/form.ts";
 import { signal, type Signal } from "./signal.ts";
 
 /** What the person makes: everything that undo goes through. */
@@ -42,10 +43,11 @@ export function history(first: Document, before: readonly Document[] = []): Hist
     now.set(document);
   }
 
-  /** A document of before or after, with the drawing as far as it is now. */
+  /** A document of before or after, with the drawing as far as it is now, and with the hints that were opened. */
   function returned(document: Document): Document {
-    const { text, drawing } = now.value;
-    return drawing === undefined || document.text !== text ? document : { ...document, drawing };
+    const { text, form, drawing } = now.value;
+    if (document.text !== text) return document;
+    return { ...document, form: withHintsOf(document.form, form), ...(drawing === undefined ? {} : { drawing }) };
   }
 
   return {

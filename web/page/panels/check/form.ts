@@ -15,7 +15,7 @@ export interface FormFile extends Partial<Record<Scale, number>> {
   exercise?: string;
   positive?: "counter-clockwise" | "clockwise";
   in?: "mm" | "units";
-  /** How many stages of hints were opened. */
+  /** How many stages of hints were opened; all of every value once the right plan was shown. */
   hints?: number;
   values?: Record<string, Written>;
   points?: Partial<Record<Sheet, Record<string, Place>>>;
@@ -118,6 +118,20 @@ export function withHead<Key extends Exclude<keyof FormFile, "values" | "points"
   const isThere = key in file;
   const whole = value === undefined ? head : isThere ? { ...file, [key]: value } : { ...head, [key]: value };
   return { ...whole, ...(values && { values }), ...(points && { points }) } as FormFile;
+}
+
+/** All stages of a hint: the plan, the value, the step, what was done. */
+export const MOST_HINTS = 4;
+
+/** The form with so many hints opened, unless it says more. */
+export function withHints(file: FormFile, hints: number): FormFile {
+  return hints > (file.hints ?? 0) ? withHead(file, "hints", hints) : file;
+}
+
+/** A form's text with the hints that were opened in another form of the same exercise since: nobody unopens one. */
+export function withHintsOf(text: string, later: string): string {
+  const [file, { hints = 0, exercise } = {} as FormFile] = [formFile(text), formFile(later) ?? undefined];
+  return file === null || file.exercise !== exercise || hints <= (file.hints ?? 0) ? text : formText(withHints(file, hints));
 }
 
 /** The places of a plan's points. */

@@ -104,7 +104,8 @@ function mount(root: HTMLElement, app: App): void {
     const filled = new Set(filledNames(file));
     const given = new Set(check.verdicts.value.checked?.parts?.rows.map((row) => row.name) ?? []);
     const count = asked.filter((row) => filled.has(row.name) || given.has(row.name)).length;
-    whole.show(check.verdicts.value, count === asked.length);
+    const isRead = asked.every((row) => given.has(row.name) && !check.unchecked.has(row.name));
+    whole.show(check.verdicts.value, count === asked.length, isRead);
     photo.follow();
     foot.show(check.verdicts.value, count, asked.length);
   }

@@ -1,10 +1,12 @@
 import type { App } from "../../app.ts";
 import { element } from "../../dom/element.ts";
 import type { Cause, Checked, ReportParts } from "../../engine/types.ts";
+import { orTell } from "../../refused.ts";
 import type { Verdicts } from "./checking.ts";
 import type { Overlay } from "./overlay.ts";
-import { formFile, formText, withHead } from "./form.ts";
+import { formFile, formText, MOST_HINTS, withHead } from "./form.ts";
 import { refusal } from "./refusal.ts";
+import { noteAnswers } from "./told.ts";
 import { say } from "./words.ts";
 
 /** An element with a fragment of the engine: text with `<i>`, `<sub>`, `<sup>` alone. */
@@ -49,9 +51,6 @@ function causes(app: App, parts: ReportParts, again: () => void): HTMLElement {
   return element("ol", { class: "causes" }, ...items);
 }
 
-/** All stages of a hint: the plan, the value, the step, what was done. */
-const MOST_HINTS = 4;
-
 /** Goes to the step at which a mistake was made. */
 function stepButton(app: App, step: number): HTMLButtonElement {
   const button = element("button", { type: "button" }, say("show_step"));
@@ -68,7 +67,8 @@ function table(parts: ReportParts): HTMLElement {
 
 export interface Result {
   root: HTMLElement;
-  show(verdicts: Verdicts, isFull: boolean): void;
+  /** `isFull`: there is something in every box; `isRead`: and it is a value. */
+  show(verdicts: Verdicts, isFull: boolean, isRead: boolean): void;
 }
 
 /** What the check says as a whole: what probably happened, the student's drawing, the marks. */
@@ -82,27 +82,29 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
     overlayButton.setAttribute("aria-pressed", String(is));
   });
   const rightButton = element("button", { type: "button" });
-  rightButton.onclick = () => {
-    app.student.set(false);
-    app.tell(say("right_plan_shown"));
-  };
+  rightButton.onclick = () =>
+    void orTell(app, async () => {
+      await noteAnswers(app, "form");
+      app.student.set(false);
+      app.tell(say("right_plan_shown"));
+    });
   const reportButton = element("button", { type: "button" });
   reportButton.onclick = saveReport;
 
   /** What tells the right answers: only where these are no secret. */
-  function answers(checked: Checked, isFull: boolean): Node[] {
+  function answers(checked: Checked, isRead: boolean): Node[] {
     const parts = checked.parts;
     if (parts === null) return [];
     rightButton.textContent = say("right_plan");
     overlayButton.textContent = say(drawing.isShown.value ? "overlay_hide" : "overlay");
     reportButton.textContent = say("feedback");
-    if (app.student.value) return [isFull ? element("p", {}, rightButton) : element("p", { class: "quiet" }, say("right_plan_later"))];
+    if (app.student.value) return isRead ? [element("p", {}, rightButton), element("p", { class: "quiet" }, say("right_plan_counts"))] : [element("p", { class: "quiet" }, say("right_plan_later"))];
     const isOff = checked.result?.passed !== true;
     const buttons = element("p", { class: "buttons" }, ...(isOff ? [overlayButton] : []), reportButton);
     return [buttons, folded(say("right_values"), table(parts))];
   }
 
-  function told(checked: Checked, isFull: boolean, again: () => void): Node[] {
+  function told(checked: Checked, isFull: boolean, isRead: boolean, again: () => void): Node[] {
     const { parts } = checked;
     if (parts === null) return [];
     const isOff = checked.result?.values.some((value) => value.verdict === "off") === true || (checked.result?.mirrored ?? []).length > 0;
@@ -117,18 +119,18 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
       ...more.map((text) => fragment("p", text)),
       ...(parts.others.length === 0 || app.student.value ? [] : [folded(parts.others_heading, element("ul", {}, ...parts.others.map((text) => fragment("li", text))))]),
       folded(say("hand"), ...parts.accuracy.map((text) => fragment("p", text))),
-      ...answers(checked, isFull),
+      ...answers(checked, isRead),
     ];
   }
 
   let shown: unknown[] = [];
   const made: Result = {
     root,
-    show(verdicts, isFull) {
+    show(verdicts, isFull, isRead) {
       const { checked, refused } = verdicts;
-      const again = (): void => ((shown = []), made.show(verdicts, isFull));
+      const again = (): void => ((shown = []), made.show(verdicts, isFull, isRead));
       // What says the same stays as it is: a button that is put in anew while it is pressed hears nothing.
-      const what = [checked, refused, isFull, app.student.value, say("result")];
+      const what = [checked, refused, isFull, isRead, app.student.value, say("result")];
       if (what.every((part, index) => part === shown[index])) return;
       shown = what;
       heading.textContent = say("result");
@@ -138,7 +140,7 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
           ? [element("p", { class: "problem bad" }, ...refusal(refused))]
           : checked === null
             ? [element("p", { class: "quiet" }, say("nothing_yet"))]
-            : told(checked, isFull, again);
+            : told(checked, isFull, isRead, again);
       root.replaceChildren(heading, ...contents);
       // What was unfolded stays so when another value is written.
       for (const summary of root.querySelectorAll("summary")) if (open.includes(summary.textContent)) (summary.parentElement as HTMLDetailsElement).open = true;
