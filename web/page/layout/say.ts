@@ -10,9 +10,12 @@ export function sayAll(root: Document | ShadowRoot): void {
     place.append(element("span", { class: "text", "data-say": place.dataset["say"] }));
     delete place.dataset["say"];
   }
+  // Those that are there now: what parts of the page make later may have names of another kind, as the board's numbers have.
+  const marked = (key: "say" | "name"): [HTMLElement, Saying][] => [...root.querySelectorAll<HTMLElement>(`[data-${key}]`)].map((place) => [place, place.dataset[key] as Saying]);
+  const [texts, names] = [marked("say"), marked("name")];
   language.on(() => {
-    for (const place of root.querySelectorAll<HTMLElement>("[data-say]")) place.textContent = say(place.dataset["say"] as Saying);
-    for (const place of root.querySelectorAll<HTMLElement>("[data-name]")) name(place, say(place.dataset["name"] as Saying));
+    for (const [place, saying] of texts) place.textContent = say(saying);
+    for (const [place, saying] of names) name(place, say(saying));
   });
 }
 
