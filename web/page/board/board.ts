@@ -78,6 +78,8 @@ function builds(app: App): { show(is: boolean): void } {
     if ((event.ctrlKey || event.metaKey) && !event.altKey && (key === "z" || key === "y")) {
       event.preventDefault();
       void own.inTurn(key === "y" || event.shiftKey ? own.redo : own.undo);
+    } else if (event.key === "Escape" && root.querySelector(":popover-open, dialog[open]") !== null) {
+      // The browser closes what is open over the board, and no more.
     } else if (event.key === "Escape" && !event.defaultPrevented) {
       event.preventDefault();
       // First what is under way goes, then the board.
