@@ -2,7 +2,7 @@ import { element } from "../../dom/element.ts";
 import { icon } from "../../dom/icon.ts";
 import type { FormRow } from "../../engine/types.ts";
 import { type FormFile, type Value, valueOf } from "./form.ts";
-import { type Sense, sensed, signed } from "./sense.ts";
+import { afterTyping, type Chosen, isZero, sensed, signed } from "./sense.ts";
 import { senseButtons } from "./sense_buttons.ts";
 import { isFormula, taken, unitsBeside, withTyped } from "./units.ts";
 import { showVerdict, type Verdict } from "./verdict.ts";
@@ -52,15 +52,16 @@ export function row(of: FormRow, events: RowEvents): Row {
   const note = element("span", { class: "note" });
   const echo = element("span", { class: "echo", id: `${id}-echo` });
   let file: FormFile = { kinegon_measured: 1 };
-  let chosen: Sense = "";
-  const senses = of.has_sense ? senseButtons(name, of.turns, (sense) => ((chosen = sense), put(false))) : null;
+  let chosen: Chosen = { sense: "", isTyped: false, hasSign: false };
+  /** Whether only a part of what stands in the box is being replaced. */
+  let isEdited = false;
+  const senses = of.has_sense ? senseButtons(name, of.turns, (sense) => ((chosen = { sense, isTyped: false, hasSign: false }), put(false))) : null;
 
   /** What the fields say, as the form has it. */
   function value(): Value {
     const typed = taken(input.value);
-    const { size, sense } = sensed(typed.digits, of.turns, undefined);
-    if (sense !== "") chosen = of.turns && file.positive === "clockwise" ? (sense === "+" ? "-" : "+") : sense;
-    const digits = of.has_sense ? signed(size, chosen, of.turns, file.positive) : typed.digits;
+    const { size } = sensed(typed.digits, of.turns, undefined);
+    const digits = of.has_sense ? signed(size, chosen.sense, of.turns, file.positive) : typed.digits;
     // A typed unit belongs to what was typed; one that is chosen stays for what is typed next.
     if (typed.unit !== null) return { digits: withTyped(digits, typed.unit), unit: null, onPaper: false };
     if (unit.hidden || unit.value === "/mu") return { digits, unit: null, onPaper: !unit.hidden };
@@ -90,11 +91,17 @@ export function row(of: FormRow, events: RowEvents): Row {
     unit.value = own.onPaper ? "/mu" : own.unit === null || own.unit === of.unit ? "" : own.unit;
   }
 
+  input.onbeforeinput = () => void (isEdited = input.selectionStart !== 0 || input.selectionEnd !== input.value.length);
   input.oninput = () => {
+    chosen = afterTyping(chosen, taken(input.value).digits, !isEdited, of.turns, file.positive);
+    isEdited = false;
     put(true);
     showEcho(null);
   };
   input.onblur = () => {
+    // A sign without a number is none; that of a number is on the buttons now.
+    const isEmpty = sensed(taken(input.value).digits, of.turns, undefined).size.trim() === "";
+    chosen = { ...chosen, hasSign: false, ...(isEmpty && chosen.isTyped ? { sense: "" } : {}) };
     events.left(of.name);
     show(file, note.textContent === "" ? null : input.placeholder, null);
   };
@@ -104,7 +111,9 @@ export function row(of: FormRow, events: RowEvents): Row {
     file = now;
     const own = valueOf(now, of.name);
     const { size, sense } = of.has_sense ? sensed(own.digits, of.turns, now.positive) : { size: own.digits, sense: "" as const };
-    if (own.digits !== "") chosen = sense;
+    // What comes from elsewhere is as if it were typed.
+    const isNone = own.digits === "" || (isZero(own.digits) && sense === "");
+    if (!isNone && sense !== chosen.sense) chosen = { sense, isTyped: true, hasSign: chosen.hasSign };
     const isSame = document.activeElement === input && value().digits === own.digits;
     if (!isSame) input.value = size;
     if (!isSame || document.activeElement !== input) showUnits(own);
@@ -116,7 +125,7 @@ export function row(of: FormRow, events: RowEvents): Row {
     unit.hidden = isPaper || hasTyped;
     paper.hidden = !isPaper;
     showEcho(is);
-    senses?.show(own.digits === "" && chosen !== "" ? chosen : sense);
+    senses?.show(isNone ? chosen.sense : sense);
     input.placeholder = fromPoints ?? "";
     note.title = isFromPoints ? say("from_points") : "";
     note.replaceChildren(...(isFromPoints ? [icon("pin"), element("span", { class: "unseen" }, say("from_points"))] : []));
