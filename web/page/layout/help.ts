@@ -71,7 +71,8 @@ export function help(app: App, store: Store, begin: () => void): void {
       element("div", { class: "foot" }, element("label", { class: "tick" }, box, say("keys_letters")), again, close),
     );
   }
-  dialog.onclick = (event) => event.target === dialog && dialog.close();
+  // To return false would keep what is pressed in it from doing anything.
+  dialog.onclick = (event) => void (event.target === dialog && dialog.close());
   byId("help-button").onclick = () => {
     byId("more").hidePopover?.();
     build();
