@@ -2612,6 +2612,13 @@ page-board-check = Prüfen
 page-board-hand_in = Abgeben
 page-board-into_form = Ins Formular
 page-board-handed_in = Die Werte stehen im Formular.
+page-board-handed_in_file = Gespeichert als {$file}, bei Ihren Downloads. Geben Sie diese Datei Ihrer Lehrkraft. Die Werte stehen im Formular.
+page-board-hand_in_drawn = { $count ->
+    [one] {$count} Schritt ist gezeichnet.
+   *[other] {$count} Schritte sind gezeichnet.
+  }
+page-board-hand_in_name = Ihr Name
+page-board-hand_in_what = Die Zeichnung wird als Datei {$file} gespeichert. Geben Sie diese Datei Ihrer Lehrkraft. Danach werden Ihre Werte beurteilt.
 page-board-save = Zeichnung speichern
 page-board-open = Zeichnung öffnen…
 page-board-sheets_pdf = Blätter auf Papier (PDF)

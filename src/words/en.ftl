@@ -2644,6 +2644,13 @@ page-board-check = Check
 page-board-hand_in = Hand in
 page-board-into_form = Into the form
 page-board-handed_in = The values are in the form.
+page-board-handed_in_file = Your drawing is saved as {$file}, in your downloads. Give that file to your teacher. The values are in the form.
+page-board-hand_in_drawn = { $count ->
+    [one] {$count} operation is drawn.
+   *[other] {$count} operations are drawn.
+  }
+page-board-hand_in_name = Your name
+page-board-hand_in_what = Your drawing is saved as the file {$file}. Give that file to your teacher. Only then are your values judged.
 page-board-save = Save the drawing
 page-board-open = Open a drawing…
 page-board-sheets_pdf = Sheets of paper (PDF)

@@ -2610,6 +2610,13 @@ page-board-check = Comprobar
 page-board-hand_in = Entregar
 page-board-into_form = Al formulario
 page-board-handed_in = Los valores están en el formulario.
+page-board-handed_in_file = Guardado como {$file}, entre tus descargas. Entrega este archivo a tu profesor. Los valores están en el formulario.
+page-board-hand_in_drawn = { $count ->
+    [one] Hay {$count} operación dibujada.
+   *[other] Hay {$count} operaciones dibujadas.
+  }
+page-board-hand_in_name = Tu nombre
+page-board-hand_in_what = El dibujo se guarda como el archivo {$file}. Entrega ese archivo a tu profesor. Después se corrigen tus valores.
 page-board-save = Guardar el dibujo
 page-board-open = Abrir un dibujo…
 page-board-sheets_pdf = Láminas en papel (PDF)

@@ -2612,6 +2612,13 @@ page-board-check = Conferir
 page-board-hand_in = Entregar
 page-board-into_form = Para o formulário
 page-board-handed_in = Os valores estão no formulário.
+page-board-handed_in_file = Salvo como {$file}, entre os seus downloads. Entregue este arquivo ao professor. Os valores estão no formulário.
+page-board-hand_in_drawn = { $count ->
+    [one] Há {$count} operação desenhada.
+   *[other] Há {$count} operações desenhadas.
+  }
+page-board-hand_in_name = Seu nome
+page-board-hand_in_what = O desenho é salvo como o arquivo {$file}. Entregue esse arquivo ao professor. Depois os seus valores são corrigidos.
 page-board-save = Salvar o desenho
 page-board-open = Abrir um desenho…
 page-board-sheets_pdf = Folhas em papel (PDF)

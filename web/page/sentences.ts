@@ -3331,6 +3331,18 @@ export const board = {
     "hand_in": "Hand in",
     "into_form": "Into the form",
     "handed_in": "The values are in the form.",
+    "handed_in_file": "Your drawing is saved as {file}, in your downloads. Give that file to your teacher. The values are in the form.",
+    "hand_in_drawn": [
+      {
+        "by": "count",
+        "forms": {
+          "one": "{count} operation is drawn.",
+          "other": "{count} operations are drawn."
+        }
+      }
+    ],
+    "hand_in_name": "Your name",
+    "hand_in_what": "Your drawing is saved as the file {file}. Give that file to your teacher. Only then are your values judged.",
     "save": "Save the drawing",
     "open": "Open a drawing…",
     "sheets_pdf": "Sheets of paper (PDF)",
@@ -3481,6 +3493,18 @@ export const board = {
     "hand_in": "Entregar",
     "into_form": "Al formulario",
     "handed_in": "Los valores están en el formulario.",
+    "handed_in_file": "Guardado como {file}, entre tus descargas. Entrega este archivo a tu profesor. Los valores están en el formulario.",
+    "hand_in_drawn": [
+      {
+        "by": "count",
+        "forms": {
+          "one": "Hay {count} operación dibujada.",
+          "other": "Hay {count} operaciones dibujadas."
+        }
+      }
+    ],
+    "hand_in_name": "Tu nombre",
+    "hand_in_what": "El dibujo se guarda como el archivo {file}. Entrega ese archivo a tu profesor. Después se corrigen tus valores.",
     "save": "Guardar el dibujo",
     "open": "Abrir un dibujo…",
     "sheets_pdf": "Láminas en papel (PDF)",
@@ -3631,6 +3655,18 @@ export const board = {
     "hand_in": "Abgeben",
     "into_form": "Ins Formular",
     "handed_in": "Die Werte stehen im Formular.",
+    "handed_in_file": "Gespeichert als {file}, bei Ihren Downloads. Geben Sie diese Datei Ihrer Lehrkraft. Die Werte stehen im Formular.",
+    "hand_in_drawn": [
+      {
+        "by": "count",
+        "forms": {
+          "one": "{count} Schritt ist gezeichnet.",
+          "other": "{count} Schritte sind gezeichnet."
+        }
+      }
+    ],
+    "hand_in_name": "Ihr Name",
+    "hand_in_what": "Die Zeichnung wird als Datei {file} gespeichert. Geben Sie diese Datei Ihrer Lehrkraft. Danach werden Ihre Werte beurteilt.",
     "save": "Zeichnung speichern",
     "open": "Zeichnung öffnen…",
     "sheets_pdf": "Blätter auf Papier (PDF)",
@@ -3781,6 +3817,18 @@ export const board = {
     "hand_in": "Entregar",
     "into_form": "Para o formulário",
     "handed_in": "Os valores estão no formulário.",
+    "handed_in_file": "Salvo como {file}, entre os seus downloads. Entregue este arquivo ao professor. Os valores estão no formulário.",
+    "hand_in_drawn": [
+      {
+        "by": "count",
+        "forms": {
+          "one": "Há {count} operação desenhada.",
+          "other": "Há {count} operações desenhadas."
+        }
+      }
+    ],
+    "hand_in_name": "Seu nome",
+    "hand_in_what": "O desenho é salvo como o arquivo {file}. Entregue esse arquivo ao professor. Depois os seus valores são corrigidos.",
     "save": "Salvar o desenho",
     "open": "Abrir um desenho…",
     "sheets_pdf": "Folhas em papel (PDF)",

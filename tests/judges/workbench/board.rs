@@ -376,7 +376,8 @@ fn the_first_wrong_operation_is_named_and_hints_are_counted() {
         bench.value("['#board-hint', '#board-check'].map((id) => document.querySelector(id).hidden)"),
         json!([true, true])
     );
-    let (name, bytes) = bench.saved(|browser| browser.click("#board-hand-in"));
+    bench.click("#board-hand-in");
+    let (name, bytes) = bench.saved(|browser| browser.click("#board-hand-in-now"));
     assert!(name.ends_with("-drawing.json"), "{name}");
     assert_eq!(serde_json::from_slice::<Value>(&bytes).expect("JSON"), drawing(&mut bench));
     // Replayed, it is shown as far as the slider says.

@@ -13,6 +13,7 @@ import { goodText } from "../state/solving.ts";
 import { language } from "../words.ts";
 import { classList } from "./class.ts";
 import { drawingOf } from "./file.ts";
+import { handing } from "./handing.ts";
 import { hands } from "./hands.ts";
 import { judging } from "./judging.ts";
 import { keys } from "./keys.ts";
@@ -168,7 +169,8 @@ function head(app: App, own: Model, told: ReturnType<typeof judging>, drawer: HT
   };
   const hint = asks("hint", "help", () => void told.hint(), "board-hint");
   const check = asks("check", "check", told.check, "board-check");
-  const handIn = button(() => say("hand_in"), () => void told.handIn(), { id: "board-hand-in", class: "main" });
+  const handed = handing(app, own, told);
+  const handIn = button(() => say("hand_in"), () => handed.ask(), { id: "board-hand-in", class: "main" });
   const openList = tool("list", "steps", () => openList.setAttribute("aria-pressed", String(drawer.classList.toggle("open"))), "board-open-list");
   openList.setAttribute("aria-pressed", "false");
   const more = files(app, own, told);
@@ -180,7 +182,7 @@ function head(app: App, own: Model, told: ReturnType<typeof judging>, drawer: HT
   };
   app.board.on(allow);
   own.looked.on(allow);
-  return element("div", { class: "head" }, close, undo, redo, given, sheetSwitch(own), openList, hint, check, handIn, more);
+  return element("div", { class: "head" }, close, undo, redo, given, sheetSwitch(own), openList, hint, check, handIn, more, handed.root);
 }
 
 /** Which sheets are seen. */

@@ -19,8 +19,10 @@ export interface Judging {
   save(): void;
   /** Its plans on sheets of paper, as PDF. */
   sheets(): Promise<void>;
-  /** Its values into the form of the check, and in an exam the file. */
-  handIn(): Promise<void>;
+  /** What the file is called with this name of a student; empty for no name. */
+  fileOf(student: string): string;
+  /** Its values into the form of the check, and in an exam the file, with the name of the student. */
+  handIn(student?: string): Promise<void>;
 }
 
 /** Significant digits of what is read off the board: more than of any ruler. */
@@ -71,7 +73,8 @@ export function judging(app: App, model: Model): Judging {
     }
   });
 
-  const name = (): string => fileName(model.drawing().exercise ?? app.solved.value.opened?.title, "drawing");
+  const fileOf = (student: string): string => fileName(model.drawing().exercise ?? app.solved.value.opened?.title, student, "drawing");
+  const name = (): string => fileOf(formFile(app.history.now.value.form)?.name ?? model.drawing().name ?? "");
   const save = (): void => saveFile(`${name()}.json`, seen(), "application/json");
 
   let before = "";
@@ -89,7 +92,7 @@ export function judging(app: App, model: Model): Judging {
     if ((at_once && mode === "practice") || mode === "demonstration" || model.looked.value !== null) judge.want(false);
   });
 
-  return {
+  const own: Judging = {
     verdicts,
     check: () => judge.want(true),
     async hint() {
@@ -105,6 +108,7 @@ export function judging(app: App, model: Model): Judging {
         tell(said(refused), true);
       }
     },
+    fileOf: (student) => `${fileOf(student)}.json`,
     save,
     async sheets() {
       const known = model.known.value;
@@ -116,21 +120,24 @@ export function judging(app: App, model: Model): Judging {
         tell(said(refused), true);
       }
     },
-    async handIn() {
+    async handIn(student = "") {
+      if (student !== "" && student !== model.drawing().name) model.head({ name: student });
       const known = model.known.value;
       if (known === null) return;
       try {
         const form = formFile(await app.engine.board_form(known.scene, known.drawing));
         const use = model.use();
+        const file = own.fileOf(model.drawing().name ?? "");
         if (use.mode === "exam") {
-          save();
+          saveFile(file, seen(), "application/json");
           app.board.set({ ...use, handed_in: app.history.now.value.text });
         }
         if (form !== null) app.history.change({ form: withHintsOf(formText(withFewDigits(form, DIGITS)), app.history.now.value.form) });
-        tell(say("handed_in"));
+        tell(use.mode === "exam" ? say("handed_in_file", { file }) : say("handed_in"));
       } catch (refused) {
         tell(said(refused), true);
       }
     },
   };
+  return own;
 }

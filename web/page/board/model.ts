@@ -270,6 +270,8 @@ export function model(app: App): Model {
     },
     head(part) {
       const next = drawingText({ ...drawing(), ...part });
+      // It is the same drawing, and none that comes in its place.
+      if (known.value !== null) known.set({ ...known.value, drawing: next });
       app.history.draw(next);
       asking.want(next);
     },
