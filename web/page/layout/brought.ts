@@ -110,16 +110,26 @@ async function filesOf(all: readonly Brought[]): Promise<File[]> {
   return found;
 }
 
-/** Takes the drawings of a class; of other files the first is opened. */
+/** Takes the drawings of a class; of other files the first is opened, and it is said that the others are not. */
 async function takeAll(app: App, files: readonly File[]): Promise<void> {
   const drawings: HandedIn[] = [];
+  const forms: File[] = [];
   for (const file of files.toSorted((a, b) => a.name.localeCompare(b.name))) {
-    const text = /\.json$/i.test(file.name) ? await textOf(file) : null;
-    if (text !== null && drawingOf(text) !== null) drawings.push({ name: file.name, text });
+    const text = /\.(json|csv|tsv|txt)$/i.test(file.name) ? await textOf(file) : null;
+    if (text === null) continue;
+    if (drawingOf(text) !== null) drawings.push({ name: file.name, text });
+    else if (isForCheck(file.name, text)) forms.push(file);
   }
-  if (drawings.length === 0) return openFile(app, files[0] ?? null);
-  app.handed.set(drawings);
-  app.drawing.set(true);
+  if (drawings.length > 0) {
+    app.handed.set(drawings);
+    app.drawing.set(true);
+    if (forms.length > 0) notice(say("forms_left"));
+    return;
+  }
+  const first = forms[0] ?? files[0] ?? null;
+  await openFile(app, first);
+  if (first !== null && forms.length > 1) notice(say("forms_first", { name: first.name, count: forms.length }));
+  else if (first !== null && files.length > 1) notice(say("files_first", { name: first.name, count: files.length }));
 }
 
 /** What is dropped on the page, or pasted outside of a box of text, is opened. */
