@@ -2426,6 +2426,7 @@ page-check-task_sheet = Blatt der Aufgabe
 page-check-task_print = Drucken mit 100 %
 page-check-task_large = Blatt lesen
 page-check-task_small = Zum Mechanismus
+page-check-task_drag = Ziehen Sie das Blatt, um den Rest zu sehen; zweimal tippen zeigt es ganz.
 page-check-task_next = Nächste Aufgabe
 page-check-task_is = Dies ist Aufgabe {$name}. „Rückgängig“ holt die vorige zurück.
 page-check-task_steps = Schritte der Konstruktion

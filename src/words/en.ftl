@@ -2458,6 +2458,7 @@ page-check-task_sheet = Sheet of the exercise
 page-check-task_print = Print at 100 %
 page-check-task_large = Read the sheet
 page-check-task_small = Back to the mechanism
+page-check-task_drag = Drag the sheet to see the rest of it; a double tap shows it whole.
 page-check-task_next = Next exercise
 page-check-task_is = This is exercise {$name}. Undo brings the one before back.
 page-check-task_steps = Steps of the construction

@@ -2424,6 +2424,7 @@ page-check-task_sheet = Lámina del ejercicio
 page-check-task_print = Imprimir al 100 %
 page-check-task_large = Leer la lámina
 page-check-task_small = Volver al mecanismo
+page-check-task_drag = Arrastra la lámina para ver el resto; con dos toques se ve entera.
 page-check-task_next = Ejercicio siguiente
 page-check-task_is = Este es el ejercicio {$name}. Deshacer devuelve el anterior.
 page-check-task_steps = Pasos de la construcción

@@ -2426,6 +2426,7 @@ page-check-task_sheet = Folha do exercício
 page-check-task_print = Imprimir a 100 %
 page-check-task_large = Ler a folha
 page-check-task_small = Voltar ao mecanismo
+page-check-task_drag = Arraste a folha para ver o resto; com dois toques ela aparece inteira.
 page-check-task_next = Exercício seguinte
 page-check-task_is = Este é o exercício {$name}. Desfazer traz de volta o anterior.
 page-check-task_steps = Passos da construção

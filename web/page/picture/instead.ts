@@ -7,7 +7,8 @@ import { signal, type Signal } from "../state/signal.ts";
 /** A sheet in place of the picture, until somebody wants the picture back. */
 export interface Instead {
   isShown: Signal<boolean>;
-  show(sheet: { svg: string; width: number; height: number }): void;
+  /** A sheet is there to be read; what is `drawn`, to be seen whole. */
+  show(sheet: { svg: string; width: number; height: number }, drawn?: boolean): void;
   hide(): void;
 }
 
@@ -37,9 +38,10 @@ export function instead(app: App, panel: string): Instead {
   return {
     isShown,
     hide,
-    show(sheet) {
+    show(sheet, drawn = false) {
       if (present !== isShown) present?.set(false);
       present = isShown;
+      document.body.classList.toggle("whole", drawn);
       app.picture.set({ ...sheet, panels: [], handles: [], drives: app.picture.value?.drives ?? [], notes: [] });
       isShown.set(true);
     },

@@ -21,10 +21,10 @@ export function looking(app: App, view: Viewport, focus: Focus): void {
   byId("zoom-out").onclick = () => view.zoom(0.8, middle());
   byId("fit").onclick = () => view.refit();
 
-  // A sheet in place of the picture is there to be read: on a telephone it begins at its upper left corner.
+  // A sheet in place of the picture is there to be read: on a telephone it begins at its upper left corner, unless it is to be seen whole.
   const read = (): void => {
     const picture = app.picture.value;
-    if (picture === null || picture.panels.length > 0 || view.size.width >= NARROW) return;
+    if (picture === null || picture.panels.length > 0 || view.size.width >= NARROW || document.body.classList.contains("whole")) return;
     view.refit();
     const letters = Math.min(...[...picture.svg.matchAll(/<text[^>]* font-size="([\d.]+)"/g)].map(([, size]) => Number(size)));
     const factor = LETTERS / (letters * view.now.value.scale);

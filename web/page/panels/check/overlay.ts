@@ -27,7 +27,7 @@ export function overlay(app: App, scheme: () => string | null): Overlay {
   /** Whether there is something to draw; it is drawn if it is still `wanted` then. */
   async function draw(wanted: () => boolean): Promise<boolean> {
     const sheet = (await drawn()).overlays[0];
-    if (sheet !== undefined && wanted()) show(sheet);
+    if (sheet !== undefined && wanted()) show(sheet, true);
     return sheet !== undefined;
   }
 

@@ -14,6 +14,9 @@ import { language } from "../../words.ts";
 import { begun, formFile, formText } from "./form.ts";
 import { say } from "./words.ts";
 
+/** Narrower than this a sheet with letters to read is larger than the screen. */
+const NARROW = "(max-width: 599.9px)";
+
 /** The task of a student whose link names an exercise: its sheet to read and to print, its steps as far as the teacher lets them be read, the next one. */
 export function taskPart(app: App): HTMLElement {
   const root = element("section", { class: "task", "aria-labelledby": "task-title", hidden: true });
@@ -41,7 +44,11 @@ export function taskPart(app: App): HTMLElement {
     if (sheet === null) return root.replaceChildren(title, element("p", { class: why === "" ? "quiet" : "bad", role: "status" }, why === "" ? say("task_making") : why));
     const front = sheet.sheets[0]!;
     const picture = sheetElement(isDark.value ? forDark(front.svg) : front.svg, "task-sheet", say("task_sheet"));
-    const read = (): void => (large.isShown.value ? large.hide() : large.show(front));
+    const read = (): void => {
+      if (large.isShown.value) return large.hide();
+      large.show(front);
+      if (window.matchMedia(NARROW).matches) app.tell(say("task_drag"));
+    };
     const reading = press(say(large.isShown.value ? "task_small" : "task_large"), read);
     const stamp = element("div", { class: "sheet" }, picture);
     stamp.onclick = read;
