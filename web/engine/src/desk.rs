@@ -194,6 +194,9 @@ impl Kept {
                     let is_asked = |panel: &Sheet| panels.iter().any(|name| name == panel.as_str());
                     own.scene.figure.panels = Sheet::ALL.into_iter().filter(is_asked).collect();
                     own.scene.figure.focus = None;
+                    // They are found by construction: without plans they are asked for, as on an exercise's sheet.
+                    own.scene.figure.special_points &=
+                        own.scene.figure.panels.iter().any(|panel| *panel != Sheet::Scheme);
                 } else if view.pane.is_some() && view.focus.is_some() {
                     own.scene.figure.focus = view.focus;
                 }
