@@ -2666,7 +2666,7 @@ export const check = {
     "task_steps": "Steps of the construction",
     "task_making": "The sheet is being made…",
     "intro": "Write what you have read off your drawing, value by value. Each is checked as soon as it stands there.",
-    "exam": "This is an exam: draw on the board and hand in there. Nothing is judged or shown before that.",
+    "exam": "This is an exam: draw on the board and hand in your drawing there. Nothing is judged or shown before that.",
     "no_scene": "This scene has no form to check: it cannot be solved.",
     "no_boxes": "This scene has no construction by hand, so its form has no boxes.",
     "file": "Form",
@@ -2738,7 +2738,7 @@ export const check = {
     "right_values": "Show the right values",
     "right_plan": "Show the right plan",
     "right_plan_later": "The right plan can be shown when every box has a value that can be read.",
-    "right_plan_counts": "This counts as all hints, and your form says so.",
+    "right_plan_counts": "This counts as taking every hint, and your form says so.",
     "right_plan_shown": "The right plan and all values are shown now.",
     "feedback": "Save the report as a page",
     "mm": "mm"

@@ -38,7 +38,12 @@ export function board(app: App): void {
     made?.show(is);
   });
   // What is drawn after the answers were seen says so.
-  app.drawing.on((is) => !is && app.student.value && app.board.value?.mode === "exam" && !app.exam.value && void orTell(app, () => noteAnswers(app, "drawing")));
+  let wasOpen = false;
+  app.drawing.on((is) => {
+    const isTold = app.student.value && app.board.value?.mode === "exam" && !app.exam.value;
+    if (wasOpen && !is && isTold) void orTell(app, () => noteAnswers(app, "drawing"));
+    wasOpen = is;
+  });
   // A link that is about the board leads there.
   app.board.on((use) => use !== null && app.student.value && app.drawing.set(true));
 }
