@@ -202,6 +202,12 @@ fn values_for_millimetres_and_degrees_for_radians_are_told() {
     assert_eq!((&told[0]["mistake"], &told[1]), (&"other-unit".into(), &Value::Null), "{told}");
     assert_eq!(told[0]["done"], "vplan(p,b): 600 is the value in mm/s; the box asks for millimetres of paper");
     assert_eq!(told[0]["should_be"], "600 : 2 = 300 mm on paper");
+    // Its millimetres may be those of the value; and 0 is 0 in every unit.
+    let told = written("vplan(p,b)", &|value| Some(format!("{value:.0} mm")));
+    assert_eq!(told[0]["done"], "vplan(p,b): 600 is the value in mm/s; the box asks for millimetres of paper");
+    assert_eq!(told[0]["should_be"], "600 : 2 = 300 mm on paper");
+    let told = written("omega(2)", &|_| Some("0".to_owned()));
+    assert_ne!(told[0]["mistake"], "other-unit", "{told}");
     for (sheet, unit, scale) in [("vplan", "mm/s", "2"), ("aplan", "mm/s²", "20")] {
         let told = written(sheet, &|value| Some(format!("{:.0}", value.abs())));
         assert_eq!((&told[0]["mistake"], &told[1]), (&"other-unit".into(), &Value::Null), "{told}");

@@ -180,9 +180,10 @@ pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
-/// Values where millimetres of paper are asked for: one, or all of a sheet.
+/// Values where millimetres of paper are asked for: one, or all of a sheet. Millimetres written beside a number may be those of the value.
 fn values_for_paper(site: &Site<'_>) -> Vec<Candidate> {
-    let on_paper = || written(site).filter(|(_, entry)| entry.on_paper && entry.unit.is_none());
+    let is_in_mm = |entry: &Entry| entry.unit.as_deref().is_none_or(|unit| unit == "mm");
+    let on_paper = || written(site).filter(|(_, entry)| entry.on_paper && is_in_mm(entry));
     let number = |x: f64| Blank::Number(NumberStyle::significant(5).trimmed().write(x, DecimalMark::Point));
     let unit = |entry: &Entry| Blank::from(entry.asked.kind().unit(site.key.solution.scene.units).as_str());
     let meant = |(index, entry): (usize, &Entry)| {
@@ -217,7 +218,8 @@ pub(super) fn other_unit(site: &Site<'_>) -> Vec<Candidate> {
         let Some(metric) = METRIC.iter().find(|m| m.0 == head) else {
             continue;
         };
-        if entry.unit.is_some() || entry.on_paper {
+        // Nothing is nothing in every unit.
+        if entry.unit.is_some() || entry.on_paper || entry.value == 0.0 {
             continue;
         }
         for (name, size) in METRIC.iter().filter(|m| m.0 != head) {
