@@ -308,6 +308,115 @@ fn links_about_the_board_open_with_what_to_do() {
     bench.assert_quiet();
 }
 
+/// What of the form is seen, and what can be pressed for the answers.
+const TOLD: &str = "[...document.querySelectorAll('#panel-check :is(.row, .files, .photograph + .photograph, .result, .foot), #panel-check .verdict:not(:empty)')] \
+    .filter((e) => e.checkVisibility()).map((e) => e.className)";
+
+/// In an exam nothing is judged, hinted or shown on any way until the drawing is handed in; then it is, and what comes after says so.
+#[test]
+#[ignore = "needs Chromium"]
+fn an_exam_tells_nothing_before_it_is_handed_in() {
+    let mut bench = Bench::closed("exam", None);
+    bench.load("");
+    let link = given(&mut bench, 3);
+    bench.load(&link);
+    bench.until("document.querySelector('#board .over[data-sheet=velocity]')?.dataset.window !== undefined");
+    // Escape closes the open menu, and not the board.
+    bench.click("#board-more");
+    bench.until("document.querySelector('#board-files').matches(':popover-open')");
+    bench.press("Escape");
+    bench.until("!document.querySelector('#board-files').matches(':popover-open')");
+    assert_eq!(bench.value("document.querySelector('#board').hidden"), false);
+    let first = [("on", "velocity"), ("size", "omega(1)*L(A,B)"), ("from", "p"), ("reference", "1"), ("name", "b")];
+    write(&mut bench, "lay_off", &first);
+    bench.click("#board-close");
+    bench.until("document.querySelector('#panel-check .task svg') !== null");
+    bench.picture("exam-panel");
+    assert_eq!(bench.value(TOLD), json!([]));
+    // Neither another language, nor the help, nor another scene leads to the answers.
+    bench.choose("#language", "Deutsch");
+    let said = bench.text("document.querySelector('#panel-check').innerText");
+    assert!(said.contains("Dies ist eine Prüfung"), "{said}");
+    bench.choose("#language", "English");
+    bench.click("#help-button");
+    assert_eq!(bench.value("document.querySelectorAll('#help .ways button').length"), 1);
+    bench.click("#help-close");
+    for panel in ["values", "check"] {
+        bench.value(&format!("kinegon.app.show('{panel}')"));
+        assert_eq!(bench.text("kinegon.app.shown.value"), "check");
+    }
+    let scene = bench.scene();
+    bench.value("kinegon.app.open('{}')");
+    assert_eq!(bench.scene(), scene);
+    bench.value("kinegon.app.brought.set({ name: 'a.json', text: kinegon.history.now.value.form })");
+    bench.settle();
+    assert_eq!(bench.value(TOLD), json!([]));
+    // Handed in by name, it is judged, and a drawing that goes on after that says that all was told.
+    begin(&mut bench);
+    bench.click("#board-hand-in");
+    bench.fill("#board-hand-in-name", "Ana Müller");
+    bench.picture("exam-hand-in");
+    let (name, bytes) = bench.saved(|browser| browser.click("#board-hand-in-now"));
+    assert_eq!(name, "four-bar-1-1-ana-müller-drawing.json");
+    let drawing: Value = serde_json::from_slice(&bytes).expect("JSON");
+    assert_eq!((&drawing["name"], &drawing["hints"]), (&json!("Ana Müller"), &Value::Null));
+    bench.until(&format!("{SAYS}.includes('{name}')"));
+    bench.click("#board-close");
+    bench.until("document.querySelector('#panel-check .result .heading') !== null");
+    bench.until("JSON.parse(kinegon.history.now.value.drawing).hints === 48");
+    assert_ne!(bench.value(TOLD), json!([]));
+    bench.picture("exam-judged");
+    bench.assert_quiet();
+}
+
+/// The right plan is shown for values, not for marks in the boxes, and the form says that it was.
+#[test]
+#[ignore = "needs Chromium"]
+fn the_right_plan_is_noted_in_the_form() {
+    let mut bench = Bench::closed("right-plan", None);
+    bench.load("");
+    let link = given(&mut bench, 0);
+    bench.load(&link);
+    bench.until("document.querySelector('#panel-check .task svg') !== null");
+    let values = asked(&mut bench);
+    let text = |row: &Value, value: f64| {
+        let scale = if row["panel"] == "velocity" { 2.0 } else { 10.0 };
+        if row["is_segment"] == true { format!("{:.1}", value / scale) } else { format!("{value:+.3}") }
+    };
+    for (index, (row, value)) in values.iter().enumerate() {
+        let last = index + 1 == values.len();
+        typed(&mut bench, index, &if last { "?".to_owned() } else { text(row, *value) });
+    }
+    let button = "[...document.querySelectorAll('#panel-check .result button')].some((e) => e.textContent === 'Show the right plan')";
+    assert_eq!(bench.value(button), false);
+    let (row, value) = values.last().expect("a value");
+    typed(&mut bench, values.len() - 1, &text(row, *value));
+    bench.until(button);
+    bench.press_named("#panel-check .result", "Show the right plan");
+    bench.until("!kinegon.app.student.value");
+    let hints = "JSON.parse(kinegon.history.now.value.form).hints";
+    assert_eq!(bench.value(hints), 4 * values.len());
+    bench.click("#undo");
+    bench.settle();
+    assert_eq!(bench.value(hints), 4 * values.len());
+    bench.assert_quiet();
+}
+
+/// The special points that an exercise asks for are not shown beside it.
+#[test]
+#[ignore = "needs Chromium"]
+fn special_points_are_not_shown_to_students() {
+    let mut bench = Bench::of("special-points", &files::read("templates/fourth-class.json"));
+    let shows = "document.querySelector('#sheet :is([id^=scheme-cut], [id$=point-S3])') !== null";
+    assert_eq!(bench.value(shows), true);
+    bench.value("kinegon.app.student.set(true)");
+    bench.until("document.querySelector('#sheet [id*=velocity]') === null");
+    bench.settle();
+    assert_eq!(bench.value(shows), false);
+    bench.picture("special-points");
+    bench.assert_quiet();
+}
+
 /// The field of a length.
 const LENGTH: &str = "[data-path='links.2.lengths.BC'] input";
 
