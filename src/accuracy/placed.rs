@@ -369,7 +369,8 @@ impl<'a> Finder<'a> {
         let mut rows = Vec::new();
         for (relation, own) in group.gears(mechanism).zip(&equations.angular) {
             let Constant::Phase { times, degrees } = relation.constant else { return None };
-            let (mut row, mut right) = (vec![Ball::default(); equations.unknowns], self.given.number(degrees) * times.into());
+            let (mut row, mut right) =
+                (vec![Ball::default(); equations.unknowns], self.given.number(degrees) * times.into());
             for &(body, weight) in &relation.terms {
                 let weight = Ball::from(weight);
                 match equations.angular_rate_of(body) {

@@ -106,7 +106,8 @@ impl Solution {
         let own = Wording { language, ..self.wording() };
         let may_warn = |loads: &Loads| !loads.friction.is_empty() || !loads.springs.is_empty();
         let forces = self.mechanism.loads.as_ref().filter(|loads| may_warn(&loads.0));
-        let forces = forces.and_then(|_| warnings_of_forces(&self.mechanism, &AtPose::new(&self.mechanism, &self.pose)));
+        let forces =
+            forces.and_then(|_| warnings_of_forces(&self.mechanism, &AtPose::new(&self.mechanism, &self.pose)));
         let forces = forces.into_iter().map(|warning| language.says(&warning));
         let centers = self.construction.centers.as_deref();
         let centers = centers.map(|centers| missing_of_centers(centers, &self.mechanism, &own)).unwrap_or_default();

@@ -96,8 +96,12 @@ impl Path<'_> {
     /// Leaves out positions next to an event that ends the path where rounding keeps them from being found once more.
     fn draw_back(&mut self, up: bool) {
         let last = |path: &Path| if up { path.high() } else { path.low() };
-        while self.ends[usize::from(up)].is_some() && self.nodes.len() > 2 && self.walker().position(last(self)).is_none() {
-            let [node, segment] = if up { [self.nodes.len(), self.segments.len()].map(|count| count - 1) } else { [0, 0] };
+        while self.ends[usize::from(up)].is_some()
+            && self.nodes.len() > 2
+            && self.walker().position(last(self)).is_none()
+        {
+            let [node, segment] =
+                if up { [self.nodes.len(), self.segments.len()].map(|count| count - 1) } else { [0, 0] };
             self.nodes.remove(node);
             self.segments.remove(segment);
         }

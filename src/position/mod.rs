@@ -34,8 +34,8 @@ mod tree;
 mod wheels;
 
 pub(crate) use assemble::first_poses;
-pub(crate) use frames::principal_degrees;
 pub use assemble::{Listed, counted_poses, numbered_pose, pose, poses, with_nearest_sides};
+pub(crate) use frames::principal_degrees;
 pub(crate) use search::rough_places;
 pub use tree::Count;
 pub(crate) use tree::search_warnings;

@@ -44,7 +44,8 @@ pub(super) fn read_with<T: DeserializeOwned, U>(
 
 /// Refuses angles that would lose their whole turns beside gears, where a turn of one wheel is not one of the other.
 fn keeps_turns(tree: &Value<'_>) -> Result<(), Wrong> {
-    let has_gears = tree.as_object().and_then(|scene| scene.get_array("gears")).is_some_and(|gears| !gears.elements.is_empty());
+    let has_gears =
+        tree.as_object().and_then(|scene| scene.get_array("gears")).is_some_and(|gears| !gears.elements.is_empty());
     match without_turns(tree).filter(|_| has_gears) {
         None => Ok(()),
         Some((path, angle)) => {

@@ -332,7 +332,12 @@ fn whole_turns_are_counted_or_nothing_is_stated() {
 fn angles_that_lose_their_turns_are_refused_beside_gears_alone() {
     let train = files::read("templates/gear-train.json");
     let mut scene: Value = serde_json::from_str(&train).expect("a scene is JSON");
-    let drive = scene["links"].as_object_mut().expect("links").values_mut().find_map(|link| link.get_mut("drive")).expect("a drive");
+    let drive = scene["links"]
+        .as_object_mut()
+        .expect("links")
+        .values_mut()
+        .find_map(|link| link.get_mut("drive"))
+        .expect("a drive");
     drive["angle"] = json!(1e15);
     let told = solved(&scene.to_string()).expect_err("its turns are lost").to_string();
     assert!(told.contains("too large for an angle beside gears"), "{told}");

@@ -240,8 +240,9 @@ fn the_order_of_links_points_and_joints_says_nothing() {
     let mut wrong = Vec::new();
     let (mut seen, mut tried) = (0, 0);
     for (number, (name, text)) in scenes.iter().enumerate().step_by(ORDERED_SCENES.now()) {
-        // Read and written once, so that numbers are written alike.
-        let text = serde_json::from_str::<Value>(text).expect("a scene is JSON").to_string();
+        // Read and written until its numbers stay, as serde_json reads some of them one place beside their text.
+        let written = |text: &str| serde_json::from_str::<Value>(text).expect("a scene is JSON").to_string();
+        let text = (0..9).fold(written(text), |text, _| written(&text));
         let usual = solved(&text);
         seen += 1;
         for order in 0..ORDERS.now() {
