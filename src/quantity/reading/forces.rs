@@ -71,7 +71,7 @@ impl Reader<'_> {
         let plan = construction.forces.as_deref().ok_or(Unread::NotDrawn)?;
         let mut parts = (0..plan.loads.len()).filter(|&index| {
             let load = &plan.loads[index];
-            of.is(&self.writer.mechanism, load.source, load.body)
+            of.is(self.writer.mechanism, load.source, load.body)
         });
         // The lever has each part by itself, and no line for their sum.
         let (Some(index), None) = (parts.next(), parts.next()) else { return Err(Unread::NotDrawn) };

@@ -361,14 +361,14 @@ fn dyads(random: &mut impl FnMut() -> u64) -> (usize, usize, Vec<Edge>) {
             let on = if on < first { Some(on) } else { Some(links + on - first).filter(|&pin| pin < links + pins) };
             joints.push(Edge::pin([Some(link), on]));
         }
-        if random() % 2 == 0 {
+        if random().is_multiple_of(2) {
             joints.extend([first, first + 1].map(|link| Edge::pin([Some(link), Some(links + pins)])));
             pins += 1;
         } else {
             joints.push(Edge::pin([Some(first), Some(first + 1)]));
         }
     }
-    if random() % 2 == 0 {
+    if random().is_multiple_of(2) {
         let (moved, link) = (random() as usize % joints.len(), random() as usize % links);
         if joints[moved].ends[1] != Some(link) {
             joints[moved].ends[0] = Some(link);
