@@ -300,8 +300,8 @@ fn train(random: &mut Random) -> (String, Vec<[i128; 2]>) {
     (scene, angles)
 }
 
-/// By meshes as equations between directions a wheel may stand elsewhere by a tooth: with so many teeth and turns f64 loses which it is, and nothing may
-/// be stated of it.
+/// A mesh as an equation between directions holds for each tooth by which a wheel may be shifted. With so many teeth and turns f64 cannot tell which
+/// of these positions is meant, and then no bound may be stated.
 #[test]
 fn whole_turns_are_counted_or_nothing_is_stated() {
     let mut random = Random(7);

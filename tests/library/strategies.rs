@@ -120,7 +120,7 @@ fn strategies(all: &[Subject], at: usize, random: &mut Random) -> Vec<(&'static 
     };
     let median = |name: &String| {
         let of = |subject: &Subject| subject.right.iter().find(|(own, _)| own == name).map(|(_, value)| *value);
-        // Of the others: one of three that is in the middle is the median itself.
+        // The median of the other students: with the middle one of three it would be the student's own value.
         let others = all.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, subject)| subject);
         let mut values: Vec<f64> = others.filter_map(of).collect();
         if values.is_empty() {

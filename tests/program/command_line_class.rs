@@ -159,7 +159,7 @@ fn broken_files_are_rows() {
     write("k.xlsx", b"PK\x03\x04\x00\x01");
     write("l.jpg", b"\xff\xd8\xff");
     write("m", good);
-    // Of no concern: hidden, what systems and this program put there, subfolders.
+    // Ignored: hidden files, files that systems and this program put there, subfolders.
     write(".hidden.json", b"{}");
     for own in ["README", "readme.md", "Thumbs.db", "desktop.ini", "~$k.xlsx", "Ana-2-check.png"] {
         write(own, b"x");
@@ -218,7 +218,7 @@ fn a_pipe_is_not_waited_for() {
     assert!(rows(&stdout(&output))[0]["message"].contains("special"));
 }
 
-/// A pipe in place of a file of an exercise is neither waited for nor passed over.
+/// A pipe in place of an exercise's file is refused: Kinegon neither waits for it nor skips it.
 #[cfg(unix)]
 #[test]
 fn a_pipe_is_no_file_of_an_exercise() {

@@ -350,7 +350,7 @@ fn any_joints(random: &mut impl FnMut() -> u64) -> (usize, usize, Vec<Edge>) {
     (links, pins, joints)
 }
 
-/// Dyads that hang on the frame, on links or on pins before them, at times with one end moved to another link: most are made of groups.
+/// Dyads, each joined to the frame or to earlier links or pins. Half of the time one end is then moved to another link. Most of the results split into groups.
 fn dyads(random: &mut impl FnMut() -> u64) -> (usize, usize, Vec<Edge>) {
     let links = 2 * (2 + random() as usize % 3);
     let mut pins = 0;
