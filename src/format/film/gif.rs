@@ -51,7 +51,7 @@ pub(super) fn file(pictures: &Pictures<'_>, mut on_picture: impl FnMut(&Drawing)
             Ok(())
         },
     )?;
-    Ok(encoder.into_inner().map_err(::gif::EncodingError::Io)?)
+    Ok(encoder.into_inner()?)
 }
 
 /// When a picture comes, in hundredths of a second, in which GIF counts.

@@ -6,7 +6,7 @@ use krilla::num::NormalizedF32;
 use krilla::page::PageSettings;
 use krilla::paint::{Fill, FillRule, LineCap, LineJoin, Stroke, StrokeDash};
 use krilla::surface::Surface;
-use krilla::tagging::{ArtifactType, ContentTag, Tag, TagGroup, TagTree};
+use krilla::tagging::{Artifact, ContentTag, Tag, TagGroup, TagTree};
 
 mod shapes;
 
@@ -75,7 +75,7 @@ impl Drawing {
         let millimetres = POINTS as f32;
         surface.push_transform(&Transform::from_scale(millimetres, millimetres));
         if let Some(draw_picture) = picture {
-            surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
+            surface.start_tagged(ContentTag::Artifact(Artifact::default()));
             draw_picture(&mut surface);
             surface.end_tagged();
             // As on a film: where the drawing is white the picture stays as it is.
@@ -86,7 +86,7 @@ impl Drawing {
         if background != Colour::new(0xffffff) {
             let (x, y) = (width, height);
             let corners = [(0.0, 0.0), (x, 0.0), (x, y), (0.0, y)].map(Point::from);
-            surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
+            surface.start_tagged(ContentTag::Artifact(Artifact::default()));
             pens(&mut surface, None, Some(fill(background)));
             draw_path(&mut surface, chain(&corners, true));
             surface.end_tagged();
@@ -94,7 +94,7 @@ impl Drawing {
         // Consecutive marks of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
         for marks in marks.chunk_by(|a, b| a.0.pen == b.0.pen && is_text(a.0) == is_text(b.0)) {
             for (mark, _) in marks.iter().filter(|mark| mark.1) {
-                surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
+                surface.start_tagged(ContentTag::Artifact(Artifact::default()));
                 halo(&mut surface, background, &self.look(mark), &mark.shape);
                 surface.end_tagged();
             }
