@@ -1,12 +1,14 @@
 //! What the files of courses are written with: XML, and ZIP packages.
 
 use crate::check::CheckError;
+use flate2::Compression;
+use flate2::write::DeflateEncoder;
 use quick_xml::Writer;
 use quick_xml::events::{BytesCData, BytesDecl, BytesStart, BytesText, Event};
+use rawzip::time::UtcDateTime;
+use rawzip::{CompressionMethod, ZipArchiveWriter};
 use std::io;
-use std::io::{Cursor, Write};
-use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, DateTime, ZipWriter};
+use std::io::Write;
 
 /// Why a file of a course could not be made.
 #[derive(Debug, thiserror::Error)]
@@ -23,24 +25,30 @@ pub enum CourseError {
     Xml(#[from] io::Error),
     /// The package could not be put together.
     #[error("the package of the course cannot be put together: {0}")]
-    Package(#[from] zip::result::ZipError),
+    Package(#[from] rawzip::Error),
 }
 
 /// The name that every package's list of contents has.
 pub(super) const MANIFEST: &str = "imsmanifest.xml";
 
+/// When the time of ZIP begins.
+const BEGIN: UtcDateTime = UtcDateTime::from_components(1980, 1, 1, 0, 0, 0, 0).expect("a date");
+/// A file that its owner writes and all others read.
+const PERMISSIONS: u32 = 0o100_644;
+
 /// A package of files by their names, in this order. All have the time at which those of ZIP begin, so that the same files make the same bytes.
 pub(super) fn package(files: &[(String, Vec<u8>)]) -> Result<Vec<u8>, CourseError> {
-    let options = SimpleFileOptions::default()
-        .compression_method(CompressionMethod::Deflated)
-        .last_modified_time(DateTime::default())
-        .unix_permissions(0o644);
-    let mut package = ZipWriter::new(Cursor::new(Vec::new()));
+    let mut package = ZipArchiveWriter::new(Vec::new());
     for (name, bytes) in files {
-        package.start_file(name.as_str(), options)?;
-        package.write_all(bytes)?;
+        let file = package.new_file(name.as_str()).compression_method(CompressionMethod::DEFLATE);
+        let (mut file, sum) = file.last_modified(BEGIN).unix_permissions(PERMISSIONS).start()?;
+        let mut packed = sum.wrap(DeflateEncoder::new(&mut file, Compression::default()));
+        packed.write_all(bytes).map_err(rawzip::Error::from)?;
+        let (packed, sum) = packed.finish()?;
+        packed.finish().map_err(rawzip::Error::from)?;
+        file.finish(sum)?;
     }
-    Ok(package.finish()?.into_inner())
+    Ok(package.finish()?)
 }
 
 /// An identifier of XML for what has that name: it begins with a letter.
