@@ -32,6 +32,8 @@ mod parts;
 pub mod photo;
 mod photo_class;
 #[doc(hidden)] // for tests
+pub mod picture;
+#[doc(hidden)] // for tests
 pub mod pieces;
 mod solve;
 mod study;

@@ -4,6 +4,7 @@ use super::files::{self, Unread, read_unnamed};
 use super::forms::has_ending;
 use super::message::{Failure, note, refuse};
 use super::output::FileSet;
+use super::picture::{broken, decoded};
 use super::pieces::caught;
 use crate::check::{
     AnswerKey, Measured, PaperPoints, PencilledPlan, PointVerdict, Proposal, aligned, common_scale, proposed,
@@ -18,9 +19,6 @@ use crate::photo::{PhotoSheet, Picture, Stroke, read, says};
 use crate::sheet::Sheet;
 use crate::text::{cell, quoted, shown};
 use crate::words::NumberStyle;
-use image::{DynamicImage, GrayImage, ImageDecoder, ImageError, ImageReader, Limits};
-use std::fmt::Display;
-use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 /// Pixels per mm of the picture under the right plans.
@@ -282,15 +280,8 @@ pub(super) fn note_next(form: Option<&Path>, scene: &Path) {
     }
 }
 
-/// Most pixels of a picture, in millions: several times those of usual telephones.
-const MOST_MEGAPIXELS: f64 = 64.0;
-/// Most bytes of its pixels: three for each of so many, as a JPEG has them.
-const MOST_BYTES: u64 = 192_000_000;
 /// Largest file, in bytes.
 const LARGEST: u64 = 64 << 20;
-/// Most memory that decoding may take, in bytes: its pixels, and as many again.
-const MEMORY: u64 = 2 * MOST_BYTES;
-
 /// Whether a file's name is that of a photograph.
 pub(super) fn is_photograph(path: &Path) -> bool {
     has_ending(path, &["jpg", "jpeg", "png", "heic", "heif", "webp", "tif", "tiff", "bmp", "gif"])
@@ -329,64 +320,5 @@ fn is_cut_short(bytes: &[u8]) -> bool {
         last(b"\xff\xda") > last(b"\xff\xd9")
     } else {
         bytes.starts_with(b"\x89PNG") && last(b"IEND").is_none()
-    }
-}
-
-/// Why a file is no picture, and what to try.
-type Refused = (String, &'static str);
-
-fn broken(why: impl Display) -> Refused {
-    (format!("cannot be read as a picture: {why}"), "save the photograph again as JPEG")
-}
-
-fn decoded(bytes: &[u8]) -> Result<Picture, Refused> {
-    let no_picture = || ("is no JPEG or PNG picture".to_owned(), "save the photograph as JPEG");
-    let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(broken)?;
-    if reader.format().is_none() {
-        return Err(no_picture());
-    }
-    let mut limits = Limits::default();
-    limits.max_alloc = Some(MEMORY);
-    reader.limits(limits);
-    let mut decoder = reader.into_decoder().map_err(|error| match error {
-        ImageError::Unsupported(_) => no_picture(),
-        error => broken(error),
-    })?;
-    let (width, height) = decoder.dimensions();
-    if f64::from(width) * f64::from(height) > MOST_MEGAPIXELS * 1e6 {
-        let message = format!("has {width} x {height} pixels; pictures of up to {MOST_MEGAPIXELS} megapixels are read");
-        return Err((message, "take the photograph in the camera's usual size"));
-    }
-    if decoder.total_bytes() > MOST_BYTES {
-        let bits =
-            8 * u64::from(decoder.color_type().bytes_per_pixel()) / u64::from(decoder.color_type().channel_count());
-        let message = format!(
-            "has {width} x {height} pixels with {bits} bits for each colour, which are {} MB",
-            decoder.total_bytes() >> 20
-        );
-        return Err((message, "save it as JPEG, or in a smaller size"));
-    }
-    // What a wrong note of the camera says about the turn does not matter: markers have their own.
-    let turn = decoder.orientation().ok();
-    let mut picture = DynamicImage::ImageLuma8(grey(DynamicImage::from_decoder(decoder).map_err(broken)?));
-    if let Some(turn) = turn {
-        picture.apply_orientation(turn);
-    }
-    let grey = picture.into_luma8();
-    let size = [grey.width() as usize, grey.height() as usize];
-    Picture::new(size[0], size[1], grey.into_raw()).ok_or_else(no_picture)
-}
-
-/// A picture in grey. That of a JPEG is made here: `image` reckons for all colour spaces, which takes as long as decoding.
-fn grey(picture: DynamicImage) -> GrayImage {
-    // Luma of ITU-R BT.601, in 256ths.
-    let luma =
-        |pixel: &[u8]| ((77 * u32::from(pixel[0]) + 150 * u32::from(pixel[1]) + 29 * u32::from(pixel[2])) >> 8) as u8;
-    match picture {
-        DynamicImage::ImageRgb8(colour) => {
-            let grey = colour.as_raw().chunks_exact(3).map(luma).collect();
-            GrayImage::from_raw(colour.width(), colour.height(), grey).unwrap_or_default()
-        }
-        other => other.into_luma8(),
     }
 }

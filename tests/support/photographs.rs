@@ -12,27 +12,19 @@ use super::students::judge::{Class, Said, class};
 use super::students::script;
 use super::students::sheet::ends_of;
 use super::students::task::{Planned, Task};
-use image::{DynamicImage, ImageDecoder, ImageReader};
 use kinegon::Sheet;
 use kinegon::check::{
     AnswerKey, Measured, PaperPoints, PencilledPlan, PointVerdict, PointsOf, Proposal, check, check_result, proposed,
 };
+use kinegon::cli::picture;
 use kinegon::drawing::markers::SheetCode;
 use kinegon::exercise::Exercises;
 use kinegon::photo::{self, PhotoSheet, Picture, Stroke};
-use std::io::Cursor;
 use std::sync::{Mutex, PoisonError};
 
-/// A grey, upright picture from a file's bytes.
+/// A grey, upright picture from a file's bytes, as the program reads it.
 pub fn decoded(bytes: &[u8]) -> Picture {
-    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().expect("bytes can be read");
-    let mut decoder = reader.into_decoder().expect("a picture");
-    let turn = decoder.orientation().expect("a turn");
-    let mut picture = DynamicImage::ImageLuma8(DynamicImage::from_decoder(decoder).expect("pixels").into_luma8());
-    picture.apply_orientation(turn);
-    let grey = picture.into_luma8();
-    let (width, height) = (grey.width() as usize, grey.height() as usize);
-    Picture::new(width, height, grey.into_raw()).expect("as many pixels")
+    picture::decoded(bytes).expect("a picture")
 }
 
 /// A student's exercise, with the sheets that are drawn on.
