@@ -29,12 +29,12 @@ mod photo;
 mod photo_answers;
 mod picture;
 mod refused;
-#[cfg(all(feature = "workbench", not(target_arch = "wasm32")))]
+#[cfg(feature = "types")]
 mod schema;
 #[cfg(feature = "workbench")]
 mod workbench;
 
-#[cfg(all(feature = "workbench", not(target_arch = "wasm32")))]
+#[cfg(feature = "types")]
 pub use schema::schema;
 
 use desk::Desk;
