@@ -1,6 +1,6 @@
-"""Writes `kinegon/types.py`: the types of all files, from the schemas that the program prints. After a change of a schema:
+"""Writes `kinegon/types.py`: the types of all files, from their committed schemas. After a change of a schema:
 
-    python python/make_types.py          # with the package of that change installed
+    python python/make_types.py
 """
 
 from __future__ import annotations
@@ -8,12 +8,11 @@ from __future__ import annotations
 import json
 import keyword
 import re
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 TYPES = Path(__file__).parent / "package" / "kinegon" / "types.py"
+TEMPLATES = Path(__file__).parents[1] / "templates"
 #: Kinds of files: the name of the whole, what the names of its parts begin with, and whether people write it.
 KINDS = {
     "scene": ("SceneFile", "", True),
@@ -42,9 +41,8 @@ if TYPE_CHECKING:
 
 
 def schema(kind: str) -> dict[str, Any]:
-    """The schema that the installed program prints."""
-    command = [sys.executable, "-m", "kinegon", "schema", kind]
-    return json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
+    """The schema of a kind of file."""
+    return json.loads((TEMPLATES / f"{kind}.schema.json").read_text("utf-8"))
 
 
 class Writer:

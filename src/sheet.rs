@@ -6,17 +6,19 @@
 //! What holds for the plans alone asks for an [`Order`], so a further sheet does not concern it.
 
 use indexmap::IndexMap;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use serde_json::{Map, Value as Json};
 use std::ops::{Index, IndexMut};
 
 /// A sheet of the construction, and the panel of the figure that shows it; each has its own scale.
 ///
 /// Sheets are ordered as they are drawn. A plan needs the scheme, and that of accelerations the one of velocities; the centres need
 /// none of them; forces need the motion for inertia alone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "Panel", description = "A part of the figure.")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schemas",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Panel", description = "A part of the figure.")
+)]
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum Sheet {
@@ -376,8 +378,12 @@ impl Scales {
     }
 
     /// The schema of an object with the scales; `says` gives what is said of each.
-    pub(crate) fn schema(generator: &mut SchemaGenerator, says: impl Fn(Sheet) -> Json) -> Schema {
-        let mut properties = Map::new();
+    #[cfg(feature = "schemas")]
+    pub(crate) fn schema(
+        generator: &mut schemars::SchemaGenerator,
+        says: impl Fn(Sheet) -> serde_json::Value,
+    ) -> schemars::Schema {
+        let mut properties = serde_json::Map::new();
         for sheet in Sheet::ALL {
             let mut property = generator.subschema_for::<Option<f64>>();
             property.ensure_object().extend(says(sheet).as_object().cloned().unwrap_or_default());

@@ -4,7 +4,6 @@
 //! `Display`: it is opened by saying for what. Texts that are no `Untrusted` are names of points, links and quantities, which
 //! are checked when they are read, and sentences that the program makes of these.
 
-use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fmt;
@@ -122,7 +121,8 @@ impl fmt::Debug for Untrusted {
 }
 
 /// In files it is a text like others.
-impl JsonSchema for Untrusted {
+#[cfg(feature = "schemas")]
+impl schemars::JsonSchema for Untrusted {
     fn inline_schema() -> bool {
         true
     }
@@ -131,7 +131,7 @@ impl JsonSchema for Untrusted {
         String::schema_name()
     }
 
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
         String::json_schema(generator)
     }
 }

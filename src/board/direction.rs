@@ -1,13 +1,12 @@
 //! A direction as a drawing writes it.
 
-use schemars::JsonSchema;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// A direction on a sheet. What gives it is two points, as "B,C", a link with two points, as "2", the guide of a slider, as "3/2", or
 /// a line that is drawn.
-#[derive(Clone, Debug, PartialEq, JsonSchema)]
-#[schemars(untagged, inline)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(untagged, inline))]
 pub enum Direction {
     /// Along what is named.
     Parallel {

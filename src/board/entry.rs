@@ -3,7 +3,6 @@
 use super::direction::Direction;
 use super::formula::Formula;
 use crate::sheet::Sheet;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{DeserializeOwned, Error};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value as Json};
@@ -12,8 +11,8 @@ use serde_json::{Map, Value as Json};
 const LONGEST: usize = 500;
 
 /// Something that a hand does.
-#[derive(Clone, Debug, JsonSchema)]
-#[schemars(untagged)]
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(untagged))]
 #[non_exhaustive]
 pub enum Entry {
     /// A line through two points.
@@ -39,14 +38,14 @@ pub enum Entry {
 }
 
 /// A line through two points of a sheet.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(deny_unknown_fields)]
-#[schemars(inline)]
 pub struct Join {
     /// The line's name.
     pub join: String,
     /// The sheet; left out where a name decides it.
-    #[schemars(schema_with = "sheet")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "sheet"))]
     #[serde(default, deserialize_with = "on")]
     pub on: Option<Sheet>,
     /// The points.
@@ -54,14 +53,14 @@ pub struct Join {
 }
 
 /// A line of known direction through a point.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(deny_unknown_fields)]
-#[schemars(inline)]
 pub struct Line {
     /// The line's name.
     pub line: String,
     /// The sheet; left out where a name decides it.
-    #[schemars(schema_with = "sheet")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "sheet"))]
     #[serde(default, deserialize_with = "on")]
     pub on: Option<Sheet>,
     /// A point of it; may be left out where `drawn` stands.
@@ -74,9 +73,9 @@ pub struct Line {
 }
 
 /// A point where two lines cross.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(deny_unknown_fields)]
-#[schemars(inline)]
 pub struct Cross {
     /// The point's name.
     pub cross: String,
@@ -87,20 +86,20 @@ pub struct Cross {
 }
 
 /// A vector of known size and direction, laid off from a point.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(deny_unknown_fields)]
-#[schemars(inline)]
 pub struct LayOff {
     /// The name of its end.
     pub lay_off: String,
     /// The sheet; left out where a name decides it.
-    #[schemars(schema_with = "sheet")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "sheet"))]
     #[serde(default, deserialize_with = "on")]
     pub on: Option<Sheet>,
     /// Where it begins.
     pub from: String,
     /// Its size in the scene's units; a negative one runs against the direction.
-    #[schemars(schema_with = "formula")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "formula"))]
     pub size: Formula,
     /// Its direction.
     pub along: Direction,
@@ -109,14 +108,14 @@ pub struct LayOff {
 }
 
 /// The image of a third point of a link by a similar triangle; where the three are on a line, by their ratio.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(deny_unknown_fields)]
-#[schemars(inline)]
 pub struct Like {
     /// The name of the image.
     pub like: String,
     /// The sheet; left out where a name decides it.
-    #[schemars(schema_with = "sheet")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "sheet"))]
     #[serde(default, deserialize_with = "on")]
     pub on: Option<Sheet>,
     /// The images of the first two points.
@@ -129,14 +128,14 @@ pub struct Like {
 }
 
 /// A point put down with nothing said of how.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(deny_unknown_fields)]
-#[schemars(inline)]
 pub struct Mark {
     /// The point's name.
     pub mark: String,
     /// The sheet.
-    #[schemars(schema_with = "sheet")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "sheet"))]
     #[serde(default, deserialize_with = "on")]
     pub on: Option<Sheet>,
     /// Where it is, in millimetres.
@@ -144,14 +143,14 @@ pub struct Mark {
 }
 
 /// The distance of two points of a sheet, in the scene's units.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(deny_unknown_fields)]
-#[schemars(inline)]
 pub struct Measure {
     /// The number's name: a quantity, as "vplan(b,c)", or one's own, as "bc".
     pub measure: String,
     /// The sheet; left out where a name decides it.
-    #[schemars(schema_with = "sheet")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "sheet"))]
     #[serde(default, deserialize_with = "on")]
     pub on: Option<Sheet>,
     /// From this point …
@@ -163,15 +162,15 @@ pub struct Measure {
 }
 
 /// A number from others, or typed.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(deny_unknown_fields)]
-#[schemars(inline)]
 pub struct Compute {
     /// The number's name: a quantity, as "omega(2)", or one's own.
     pub compute: String,
     /// How it is computed.
     #[serde(rename = "as")]
-    #[schemars(schema_with = "formula")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "formula"))]
     pub by: Option<Formula>,
     /// The number, where it was computed elsewhere.
     pub value: Option<f64>,
@@ -180,32 +179,32 @@ pub struct Compute {
 }
 
 /// Linear equations for as many numbers.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(deny_unknown_fields)]
-#[schemars(inline)]
 pub struct Solve {
     /// The names of the unknowns.
-    #[schemars(length(min = 1, max = 4))]
+    #[cfg_attr(feature = "schemas", schemars(length(min = 1, max = 4)))]
     pub solve: Vec<String>,
     /// As many equations, each as "L(B,S3) * omega(2) = vplan(p,b)".
-    #[schemars(length(min = 1, max = 4))]
+    #[cfg_attr(feature = "schemas", schemars(length(min = 1, max = 4)))]
     pub equations: Vec<String>,
 }
 
 /// Takes back the last entries that still stand.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(deny_unknown_fields)]
-#[schemars(inline)]
 pub struct Undo {
     /// How many.
-    #[schemars(range(min = 1))]
+    #[cfg_attr(feature = "schemas", schemars(range(min = 1)))]
     pub undo: usize,
 }
 
 /// The sense in which a link turns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "kebab-case")]
-#[schemars(inline)]
 pub enum Sense {
     /// Counter-clockwise: positive.
     Ccw,
@@ -321,10 +320,12 @@ fn on<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Sheet>, D::Er
         .ok_or_else(|| D::Error::custom(r#"a sheet is "scheme", "velocity", "acceleration", "centers" or "forces""#))
 }
 
-fn sheet(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "enum": Sheet::ALL.map(Sheet::as_str) })
+#[cfg(feature = "schemas")]
+fn sheet(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schemars::json_schema!({ "enum": Sheet::ALL.map(Sheet::as_str) })
 }
 
-fn formula(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "type": ["string", "number"], "description": "A number, or a formula as \"omega(1)^2 * L(A,B)\"" })
+#[cfg(feature = "schemas")]
+fn formula(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schemars::json_schema!({ "type": ["string", "number"], "description": "A number, or a formula as \"omega(1)^2 * L(A,B)\"" })
 }

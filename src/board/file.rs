@@ -2,10 +2,9 @@
 
 use super::entry::{Entry, Undo};
 use crate::check;
-use crate::scene::{FileKind, SceneError, read_as, schema_of};
+use crate::scene::{FileKind, SceneError, read_as, schema};
 use crate::sheet::Scales;
 use crate::text::Untrusted;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
@@ -15,40 +14,41 @@ const DRAWING: FileKind = FileKind { what: crate::scene::says::drawing, key: "ki
 pub const MOST_ENTRIES: usize = 2_000;
 
 /// The plans as somebody drew them, operation by operation.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "drawing"))]
 #[serde(deny_unknown_fields, expecting = r#"a drawing as { "kinegon_drawing": 1, … }"#)]
-#[schemars(rename = "drawing")]
 pub struct HandDrawing {
     /// Version of the format.
-    #[schemars(schema_with = "crate::scene::version")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "crate::scene::schema_made::version"))]
     #[serde(rename = "kinegon_drawing")]
     _version: u64,
     /// Where an editor finds the schema.
-    #[schemars(skip)]
+    #[cfg_attr(feature = "schemas", schemars(skip))]
     #[serde(rename = "$schema")]
     _schema: Option<String>,
     /// The student's name.
-    #[schemars(with = "Option<String>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<String>"))]
     pub name: Option<Untrusted>,
     /// The name of the exercise, as "four-bar-7-2".
-    #[schemars(with = "Option<String>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<String>"))]
     pub exercise: Option<Untrusted>,
     /// What the board let the hand catch; left out: all. It decides nothing, as free lines have their places beside them.
     #[serde(default)]
     pub snap: Snap,
     /// Scales of the sheets, units of the scene per millimetre of paper; left out: those of the scene's figure.
     #[serde(rename = "mu_*", default)]
-    #[schemars(flatten, schema_with = "scales")]
+    #[cfg_attr(feature = "schemas", schemars(flatten, schema_with = "scales"))]
     pub mu: Scales,
     /// How many hints the student has taken.
     #[serde(default)]
     pub hints: u64,
     /// The operations in the order in which they were done; nothing is ever taken out.
-    #[schemars(length(max = MOST_ENTRIES))]
+    #[cfg_attr(feature = "schemas", schemars(length(max = MOST_ENTRIES)))]
     pub did: Vec<Entry>,
 }
 
-fn scales(generator: &mut SchemaGenerator) -> Schema {
+#[cfg(feature = "schemas")]
+fn scales(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
     Scales::schema(generator, |sheet| {
         let units = sheet.facts().scaled_units;
         serde_json::json!({ "description": format!("Scale of the {}, in {units} per millimetre of paper", sheet.name()) })
@@ -56,9 +56,9 @@ fn scales(generator: &mut SchemaGenerator) -> Schema {
 }
 
 /// What a board lets the hand catch.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 #[serde(rename_all = "kebab-case")]
-#[schemars(inline)]
 pub enum Snap {
     /// Points, crossings and directions: what is drawn is exact.
     #[default]
@@ -114,5 +114,5 @@ impl HandDrawing {
 /// The JSON Schema of drawings.
 #[must_use]
 pub fn drawing_schema() -> Json {
-    schema_of::<HandDrawing>("A drawing of plans by hand for Kinegon")
+    schema!("drawing", HandDrawing, "A drawing of plans by hand for Kinegon")
 }

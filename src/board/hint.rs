@@ -11,11 +11,11 @@ use super::table::{Made, Table};
 use crate::geometry::cross;
 use crate::sheet::Sheet;
 use crate::words::Medium;
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A hint.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BoardHint {
     /// What is said.
     pub words: String,

@@ -3,7 +3,6 @@
 
 use crate::sheet::Sheet;
 use crate::words::NumberStyle;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json};
 
@@ -11,7 +10,8 @@ use serde_json::{Map, Value as Json};
 pub(super) const NUMBERS: NumberStyle = NumberStyle::significant(4).trimmed();
 
 /// A drawing on a board.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Board {
     /// The drawing's text; of no text that of an empty drawing.
     pub drawing: String,
@@ -36,7 +36,8 @@ pub struct Board {
 }
 
 /// A sheet of a board.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BoardSheet {
     /// Which sheet.
     pub sheet: Sheet,
@@ -51,7 +52,8 @@ pub struct BoardSheet {
 }
 
 /// Something that can be pointed at.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BoardThing {
     /// On which sheet.
     pub sheet: Sheet,
@@ -72,7 +74,8 @@ pub struct BoardThing {
 }
 
 /// What can be pointed at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum ThingKind {
     /// A point.
@@ -86,7 +89,8 @@ pub enum ThingKind {
 }
 
 /// A number beside the sheets.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BoardNumber {
     /// Its name in formulas.
     pub name: String,
@@ -101,7 +105,8 @@ pub struct BoardNumber {
 }
 
 /// A name that means something.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BoardName {
     /// On which sheet; none of a number.
     pub sheet: Option<Sheet>,
@@ -118,7 +123,8 @@ pub struct BoardName {
 }
 
 /// What a name is of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum NameKind {
     /// A point.
@@ -128,7 +134,8 @@ pub enum NameKind {
 }
 
 /// Names of one's own that are free.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct FreeNames {
     /// For a line.
     pub line: String,
@@ -139,7 +146,8 @@ pub struct FreeNames {
 }
 
 /// An entry on a board.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BoardEntry {
     /// What it does, with what came out.
     pub words: String,
@@ -152,7 +160,8 @@ pub struct BoardEntry {
 }
 
 /// An entry that cannot be carried out.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BoardRefused {
     /// Its index.
     pub entry: usize,
@@ -161,10 +170,11 @@ pub struct BoardRefused {
 }
 
 /// A press on a sheet.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Pressed {
     /// The entry that is being written, with what is missing left out or empty.
-    #[schemars(with = "Json")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Json"))]
     pub has: Map<String, Json>,
     /// On which sheet.
     pub sheet: Sheet,
@@ -175,10 +185,11 @@ pub struct Pressed {
 }
 
 /// What a press may mean.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Snapped {
     /// The entry with what the press adds.
-    #[schemars(with = "Json")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Json"))]
     pub entry: Map<String, Json>,
     /// Whether no more than a name may be missing.
     pub is_whole: bool,
@@ -193,7 +204,8 @@ pub struct Snapped {
 }
 
 /// Something that is not drawn yet.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Ghost {
     /// What it is.
     pub kind: GhostKind,
@@ -202,7 +214,8 @@ pub struct Ghost {
 }
 
 /// What is not drawn yet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum GhostKind {
     /// A line.

@@ -8,15 +8,14 @@ use super::names::two_points;
 use super::says;
 use crate::message::Message;
 use crate::words::{Medium, Wording};
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Most of what is missing that a report names.
 const NAMED: usize = 24;
 
 /// A judged drawing as a result.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-#[schemars(rename = "judged_drawing")]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "judged_drawing"))]
 pub struct DrawingResult {
     /// The entries of the drawing, each with its verdict.
     pub entries: Vec<EntryResult>,
@@ -31,8 +30,8 @@ pub struct DrawingResult {
 }
 
 /// An entry with its verdict.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-#[schemars(rename = "judged_entry")]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "judged_entry"))]
 pub struct EntryResult {
     /// Its index in the drawing, from 0.
     pub index: usize,
@@ -55,9 +54,9 @@ pub struct EntryResult {
 }
 
 /// The word for a verdict in results.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "drawing_verdict"))]
 #[serde(rename_all = "lowercase")]
-#[schemars(rename = "drawing_verdict")]
 pub enum VerdictName {
     /// It is right.
     Right,

@@ -7,7 +7,6 @@ use super::mistakes::{Candidate, Mistake};
 use super::placed::TurnedPlan;
 use super::sensible::StatedScale;
 use crate::sheet::Sheet;
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// All values with their verdicts, and the mistakes that explain those that are off.
@@ -118,8 +117,8 @@ impl Outcome {
 pub const BANDS: f64 = 2.0;
 
 /// How accurate somebody draws and computes. Within the limits every error is equally likely.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-#[schemars(rename = "AccuracyResult")]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "AccuracyResult"))]
 #[non_exhaustive]
 pub struct Accuracy {
     /// Limit of the errors in lengths and places, in mm of paper.

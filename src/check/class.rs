@@ -5,15 +5,15 @@ use super::marks::{Awarded, MarkScheme};
 use super::measured::AnswerKey;
 use super::mistakes::Mistake;
 use super::names::Names;
-use crate::scene::schema_of;
+use crate::scene::schema;
 use crate::text::{Untrusted, cell};
 use crate::words::Wording;
-use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// The report on a class.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ClassResult {
     /// Version of the format.
@@ -25,7 +25,8 @@ pub struct ClassResult {
 }
 
 /// What is said of one file.
-#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ClassRow {
     /// The file's name; of forms of several exercises its path in the folder.
@@ -47,7 +48,8 @@ pub struct ClassRow {
 }
 
 /// What was found in a file that was understood.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ClassFound {
     /// How many values it has.
@@ -94,7 +96,8 @@ pub struct ClassFound {
 }
 
 /// A mistake, and where it was made.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ClassMistake {
     /// The number of its step; 0 for the whole drawing.
@@ -268,7 +271,8 @@ fn csv_line<'c>(cells: impl Iterator<Item = &'c str>) -> String {
 }
 
 /// Counts of a class's drawings, and the commonest first mistakes.
-#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ClassSummary {
     /// All files.
@@ -291,7 +295,8 @@ pub struct ClassSummary {
 }
 
 /// A first mistake that was made more than once.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Common {
     /// In how many drawings.
@@ -374,5 +379,5 @@ impl ClassSummary {
 /// The JSON Schema of the report on a class.
 #[must_use]
 pub fn class_schema() -> serde_json::Value {
-    schema_of::<ClassResult>("Kinegon class report, version 1")
+    schema!("class", ClassResult, "Kinegon class report, version 1")
 }

@@ -6,13 +6,12 @@ use super::entry::Entry;
 use super::model::Model;
 use crate::quantity::Band;
 use crate::sheet::PerSheet;
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// An error that all measured lengths have in common.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "CommonErrorResult"))]
 #[serde(rename_all = "kebab-case")]
-#[schemars(rename = "CommonErrorResult")]
 #[non_exhaustive]
 pub enum CommonError {
     /// They are so many times as large as they should be, less one: 0.031 is 3.1 % too large.

@@ -5,12 +5,11 @@ use super::entry::{Entry, entries_by};
 use super::measured::{AnswerKey, CheckError, Given, Measured};
 use super::names::Names;
 use super::says;
-use crate::scene::{FileKind, SceneError, read_as, schema_of};
+use crate::scene::{FileKind, SceneError, read_as, schema};
 use crate::sheet::{PerSheet, QuantityKind};
 use crate::text::shown;
 use crate::words::Wording;
 use indexmap::IndexMap;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
 const MARKS: FileKind = FileKind { what: crate::scene::says::marks, key: "kinegon_marks", version: 1 };
@@ -24,36 +23,37 @@ const MOST: f64 = crate::scene::MOST_MARKS;
 /// as that of a line, in the first that does. From a mistake that has no name nothing follows where it leaves more than half as many wrong
 /// values open as it explains. A value that tells nothing earns none, and a rate without its sense earns none. What is too small on the sheet to be
 /// judged does not count.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "marks"))]
 #[serde(deny_unknown_fields, expecting = r#"a marking scheme as { "kinegon_marks": 1, … }"#)]
-#[schemars(rename = "marks")]
 pub struct Marks {
     /// Version of the format.
-    #[schemars(schema_with = "crate::scene::version")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "crate::scene::schema_made::version"))]
     #[serde(rename = "kinegon_marks")]
     _version: u64,
     /// Where an editor finds the schema.
-    #[schemars(skip)]
+    #[cfg_attr(feature = "schemas", schemars(skip))]
     #[serde(rename = "$schema")]
     _schema: Option<String>,
     /// Marks of every quantity of the scene's form that `values` does not name. Left out: what the scene's `form` says, else 1, where `values`
     /// is left out, too, else only the quantities in `values` count.
-    #[schemars(range(min = 0, max = MOST))]
+    #[cfg_attr(feature = "schemas", schemars(range(min = 0, max = MOST)))]
     each: Option<f64>,
     /// Marks of single quantities by their names, as in the form.
-    #[schemars(schema_with = "marks_by_name")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "marks_by_name"))]
     #[serde(default)]
     values: IndexMap<String, f64>,
     /// Which part of its marks a wrong value earns that follows from an earlier mistake and is consistent with it; left out: 1.
-    #[schemars(range(min = 0, max = 1))]
+    #[cfg_attr(feature = "schemas", schemars(range(min = 0, max = 1)))]
     follow_through: Option<f64>,
     /// Which part of its marks a quantity earns whose value is not there; left out: 0.
-    #[schemars(range(min = 0, max = 1))]
+    #[cfg_attr(feature = "schemas", schemars(range(min = 0, max = 1)))]
     missing: Option<f64>,
 }
 
-fn marks_by_name(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({
+#[cfg(feature = "schemas")]
+fn marks_by_name(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schemars::json_schema!({
         "type": "object",
         "additionalProperties": { "type": "number", "minimum": 0, "maximum": MOST }
     })
@@ -71,7 +71,7 @@ impl Marks {
     /// The JSON Schema (draft 2020-12) of marking schemes, with descriptions, for editors.
     #[must_use]
     pub fn schema() -> serde_json::Value {
-        schema_of::<Marks>("Kinegon marking scheme, version 1")
+        schema!("marks", Marks, "Kinegon marking scheme, version 1")
     }
 
     /// The marks of a scene's quantities.
@@ -154,7 +154,8 @@ struct Worth {
 }
 
 /// The marks that somebody's values earn.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Awarded {
     /// Marks earned.
     pub earned: f64,

@@ -6,7 +6,6 @@ use crate::construction::Solution;
 use crate::geometry::Point;
 use crate::photo::{PhotoSheet, Stroke, crossing};
 use crate::sheet::Sheet;
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Radius that holds a place that a hand has written or set by keys with 95 %, in mm.
@@ -39,9 +38,9 @@ pub struct Aimed {
 }
 
 /// What the place of a point in a photograph tells.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "PlaceVerdict"))]
 #[serde(rename_all = "lowercase")]
-#[schemars(rename = "PlaceVerdict")]
 pub enum PointVerdict {
     /// It is where an honest hand would have it.
     Right,

@@ -10,7 +10,6 @@ use super::names::Names;
 use crate::construction::{NumberedStep, Teller, shown_text};
 use crate::sheet::QuantityKind;
 use crate::words::{Language, Medium, NumberStyle, Wording};
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The report for the student: verdicts in the order of the construction, then the mistakes that were probably made.
@@ -64,7 +63,8 @@ pub(crate) fn aligned<const N: usize>(rows: &[[String; N]]) -> Vec<String> {
 
 /// A report in parts, in the markup of [`Overlay::set`](crate::drawing::Overlay::set). What is right and what was
 /// probably done stand apart, so that a page can say the one without the other.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ReportParts {
     /// How many values are right, within the tolerance, off.
     pub counts: String,
@@ -97,7 +97,8 @@ pub struct ReportParts {
 }
 
 /// A value of a report.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ReportRow {
     /// The name of the form's box.
     pub name: String,
@@ -106,7 +107,8 @@ pub struct ReportRow {
 }
 
 /// A mistake that was probably made.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Cause {
     /// At which step, and what was done.
     pub done: String,

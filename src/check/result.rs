@@ -7,11 +7,11 @@ use super::measured::AnswerKey;
 use super::placed::TurnedPlan;
 use super::sensible::StatedScale;
 use crate::text::Untrusted;
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Verdicts and diagnosis of one drawing.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CheckResult {
     /// Version of the format.
@@ -60,7 +60,8 @@ pub struct CheckResult {
 }
 
 /// A plan that lies turned to the scheme.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct TurnedResult {
     /// The plan: "velocity", "acceleration".
@@ -70,7 +71,8 @@ pub struct TurnedResult {
 }
 
 /// A scale of a form that is not the one asked for, or at which no sheet can be drawn.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ScaleResult {
     /// Its name in the form: `mu_l`, `mu_v`, `mu_a`.
@@ -85,7 +87,8 @@ pub struct ScaleResult {
 }
 
 /// A value with its verdict.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ValueResult {
     /// The quantity's name.
@@ -114,12 +117,13 @@ pub struct ValueResult {
     pub coarse: bool,
     /// "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off", "too-coarse" (its digits tell nothing)
     /// or "unjudged" (it is too small on its sheet).
-    #[schemars(with = "String")]
+    #[cfg_attr(feature = "schemas", schemars(with = "String"))]
     pub verdict: Verdict,
 }
 
 /// Mistakes that explain the values together.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ExplanationResult {
     /// The mistakes in the order of the construction.
@@ -138,7 +142,8 @@ pub struct ExplanationResult {
 }
 
 /// A mistake that was probably made.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MistakeResult {
     /// Its name in the catalogue.
@@ -225,5 +230,5 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrust
 /// The JSON Schema of the result.
 #[must_use]
 pub fn check_schema() -> serde_json::Value {
-    crate::scene::schema_of::<CheckResult>("Kinegon check, version 1")
+    crate::scene::schema!("check", CheckResult, "Kinegon check, version 1")
 }

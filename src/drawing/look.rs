@@ -1,6 +1,5 @@
 //! What marks are, and how they look.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 use std::fmt;
@@ -47,9 +46,9 @@ impl fmt::Display for Colour {
 pub type Dash = SmallVec<[f64; 4]>;
 
 /// How a line ends.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "cap"))]
 #[serde(rename_all = "lowercase")]
-#[schemars(rename = "cap")]
 pub enum Cap {
     /// Square at the very end: for vectors, which must not look longer than they are.
     #[default]
@@ -87,7 +86,8 @@ impl Look {
 
 /// What a mark *is*. Colour, width, dash and fill come from the drawing's [`Style`](super::Style), so a figure is
 /// restyled in one place. Style files write pens in small letters: `link_fill`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Pen {
     /// The border of a panel, axes, the bar of a scale.
@@ -176,11 +176,11 @@ pub enum Pen {
     WrongPoint,
     /// A marker by which a photograph of the sheet is read, and the small code: black in every style.
     #[serde(skip_deserializing)]
-    #[schemars(skip)]
+    #[cfg_attr(feature = "schemas", schemars(skip))]
     Marker,
     /// The white around them, on paper of any colour.
     #[serde(skip_deserializing)]
-    #[schemars(skip)]
+    #[cfg_attr(feature = "schemas", schemars(skip))]
     MarkerWhite,
 }
 

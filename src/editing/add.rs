@@ -1,6 +1,5 @@
 //! New links, points and sliders, with lengths and places measured in the present position.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value as Json, json};
 
@@ -14,14 +13,16 @@ use crate::message::Message;
 use crate::scene::{LengthUnit, SceneError, Units, pair};
 
 /// A new link.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct NewLink {
     /// Its points. One that the scene has already becomes a joint.
     pub points: Vec<PlacedPoint>,
 }
 
 /// A point where it is, or is to be, in the present position.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct PlacedPoint {
     /// Its name.
     pub name: String,
@@ -30,7 +31,8 @@ pub struct PlacedPoint {
 }
 
 /// A further point of a link.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct NewPoint {
     /// The link, or `ground`.
     pub link: String,
@@ -41,7 +43,8 @@ pub struct NewPoint {
 }
 
 /// A new slider.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct NewSlider {
     /// The sliding link; empty for a pin in a slot.
     pub link: String,
@@ -54,7 +57,8 @@ pub struct NewSlider {
 }
 
 /// The direction of a new guide.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Along {
     /// From +x on the ground, from the carrier's axis otherwise.

@@ -44,12 +44,12 @@ pub use tables::{PutTable, TableFile, TableInFile, lines_of_table, tables_in_fil
 
 use crate::scene::{Figure, Scene, SceneError, figure_keys};
 use document::Document;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
 /// One change of a scene's text.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 #[non_exhaustive]
 pub enum Edit {
@@ -103,7 +103,8 @@ pub enum Edit {
 }
 
 /// A step of a JSON path.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 #[non_exhaustive]
 pub enum Key {

@@ -2,7 +2,6 @@
 //! names of quantities, of points of the plans and of parts of the construction.
 
 use indexmap::{IndexMap, IndexSet};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
@@ -14,7 +13,8 @@ use crate::scene::{
 };
 
 /// What has a name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Named {
     /// A point.

@@ -5,16 +5,15 @@ use super::sheets::key_rows;
 use crate::check::Measured;
 use crate::construction::Solution;
 use crate::drawing::{Drawing, KeyRow, key_sheet};
-use crate::scene::schema_of;
+use crate::scene::schema;
 use crate::sheet::Scales;
 use crate::text::Untrusted;
 use indexmap::IndexMap;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Serialize, Serializer};
-use serde_json::json;
 
 /// The values of an exercise.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct KeyResult {
     /// Version of the format.
@@ -29,12 +28,13 @@ pub struct KeyResult {
 }
 
 /// Scales, in units of the scene per millimetre of paper.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct KeyScales {
     /// By sheet; `null` for a sheet that is not there.
     #[serde(flatten, serialize_with = "with_null")]
-    #[schemars(schema_with = "scales_schema")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "scales_schema"))]
     pub of: Scales,
 }
 
@@ -42,12 +42,14 @@ fn with_null<S: Serializer>(scales: &Scales, serializer: S) -> Result<S::Ok, S::
     serializer.collect_map(scales.iter().map(|(sheet, scale)| (sheet.facts().scale_key, scale)))
 }
 
-fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
-    Scales::schema(generator, |sheet| json!({ "description": format!("Of the {}.", sheet.name()) }))
+#[cfg(feature = "schemas")]
+fn scales_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    Scales::schema(generator, |sheet| serde_json::json!({ "description": format!("Of the {}.", sheet.name()) }))
 }
 
 /// The value of a quantity.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct KeyValue {
     /// The exact value.
@@ -99,5 +101,5 @@ impl Exercise {
 /// The JSON Schema of keys.
 #[must_use]
 pub fn key_schema() -> serde_json::Value {
-    schema_of::<KeyResult>("Kinegon key of an exercise, version 1")
+    schema!("key", KeyResult, "Kinegon key of an exercise, version 1")
 }

@@ -3,11 +3,11 @@
 use crate::accuracy::Bounds;
 use crate::centers::Center;
 use crate::quantity::{Head, Quantity, QuantityRequest};
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// An instant centre: its place, or the direction in which it lies at infinity.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 #[non_exhaustive]
 pub enum CenterResult {
@@ -16,7 +16,7 @@ pub enum CenterResult {
         /// Its coordinates.
         position: [f64; 2],
         /// Bound of the error of each.
-        #[schemars(with = "Option<f64>")]
+        #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
         error: f64,
     },
     /// At infinity, as far as it is certain.
@@ -24,7 +24,7 @@ pub enum CenterResult {
         /// The direction in which it lies, of length 1.
         at_infinity: [f64; 2],
         /// Bound of the error of that direction, in degrees.
-        #[schemars(with = "Option<f64>")]
+        #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
         angle_error: f64,
         /// How far away it is at least, where it is not at infinity in every position: bounds of rates can tell no more.
         #[serde(skip_serializing_if = "Option::is_none")]

@@ -6,11 +6,11 @@ use crate::forces::Forces;
 use crate::geometry::{Ball, Number, Pair};
 use crate::mechanism::{Contact, Touch};
 use indexmap::IndexMap;
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Two profiles that touch.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ContactResult {
     /// What moves as they do: the name of a link, or of a slider where the second profile is flat.
@@ -26,7 +26,7 @@ pub struct ContactResult {
     /// The common normal, of length 1: from the first centre of curvature towards the second, or into the flat profile.
     pub normal: [f64; 2],
     /// Bound on the error of both components of `normal`.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub normal_error: f64,
     /// The velocity of the first profile on the second where they touch, positive along the normal turned by +90°.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -6,11 +6,11 @@ use crate::forces::{Forces, Source, rubbed_joints};
 use crate::geometry::{Ball, Pair};
 use crate::mechanism::{BodyId, JointId, PointId};
 use indexmap::IndexMap;
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// What joints carry and what drives need, in the scene's unit of force; moments in force · length, counter-clockwise positive.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ForcesResult {
     /// By pin, then by link or `ground`: the force that it receives there from all others; those of a pin add up to zero.
@@ -35,12 +35,13 @@ pub struct ForcesResult {
 }
 
 /// A force.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ForceResult {
     /// Its components.
     pub force: [f64; 2],
     /// Bound on the error of both components.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub force_error: f64,
     /// The couple of friction that it receives beside; left out at a pin without friction.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -51,17 +52,18 @@ pub struct ForceResult {
 }
 
 /// What a sliding link receives from its guide.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct GuideForceResult {
     /// The force across the guide, along its direction turned by +90°.
     pub normal: f64,
     /// Bound on the error of `normal`.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub normal_error: f64,
     /// The couple, about the slider's point.
     pub couple: f64,
     /// Bound on the error of `couple`.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub couple_error: f64,
     /// How far from the slider's point along the guide the line of the force runs; left out where there is no force across the guide.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -78,7 +80,8 @@ pub struct GuideForceResult {
 }
 
 /// What a wheel receives from the teeth of another one, at the pitch point.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct MeshForceResult {
     /// The pitch point.
     pub pitch_point: [f64; 2],
@@ -86,17 +89,18 @@ pub struct MeshForceResult {
     /// turned by +90°.
     pub tangential: f64,
     /// Bound on the error of `tangential`.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub tangential_error: f64,
     /// The whole force, with the part by which teeth push each other apart.
     pub force: [f64; 2],
     /// Bound on the error of both components of `force`.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub force_error: f64,
 }
 
 /// What a drive needs.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct DriveResult {
     /// The torque on the link that it turns.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -105,14 +109,15 @@ pub struct DriveResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub force: Option<f64>,
     /// Bound on the error of the torque or force.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub error: f64,
     /// By load: its power while this drive runs at rate 1 and the others stand. The torque or force is the negative sum.
     pub powers: IndexMap<String, f64>,
 }
 
 /// The inertia of a link.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct InertiaResult {
     /// Where the centre of mass is.
     pub center: [f64; 2],
@@ -121,27 +126,28 @@ pub struct InertiaResult {
     /// The inertia force, −m a.
     pub force: [f64; 2],
     /// Bound on the error of both components of `force`.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub force_error: f64,
     /// The inertia couple, −J α.
     pub couple: f64,
     /// Bound on the error of `couple`.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub couple_error: f64,
 }
 
 /// What the links do to the frame.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct FrameResult {
     /// The force.
     pub force: [f64; 2],
     /// Bound on the error of both components.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub force_error: f64,
     /// The moment about the frame's first point.
     pub moment: f64,
     /// Bound on the error of `moment`.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub moment_error: f64,
 }
 

@@ -4,12 +4,11 @@ use crate::quantity::{Band, Pencil, Unread};
 use crate::scene::Units;
 use crate::sheet::Scales;
 use indexmap::IndexMap;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
-use serde_json::json;
 
 /// How far hand drawings at the figure's scales are from the numbers, by quantity name.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct PencilResult {
     /// Limit of the error of a point set, along x and along y, and of a length laid off or measured: millimetres of paper.
     pub mm: f64,
@@ -17,7 +16,7 @@ pub struct PencilResult {
     pub degrees: f64,
     /// The scales of the sheets: units per millimetre of paper.
     #[serde(flatten)]
-    #[schemars(schema_with = "scales_schema")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "scales_schema"))]
     pub mu: Scales,
     /// By quantity name: what an honest drawing gives. A vector stands here by its `.size` and its `.angle`.
     pub bands: IndexMap<String, BandResult>,
@@ -27,7 +26,8 @@ pub struct PencilResult {
 }
 
 /// What an honest hand drawing gives for a quantity.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BandResult {
     /// Its value, of lengths and segments without a sign.
     pub value: f64,
@@ -40,11 +40,12 @@ pub struct BandResult {
     pub rough: bool,
 }
 
-fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
+#[cfg(feature = "schemas")]
+fn scales_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
     Scales::schema(generator, |sheet| {
         let per_mm = || format!(": {} per millimetre of paper", sheet.facts().scaled_units);
         let units = sheet.order().map_or_else(per_mm, |_| String::new());
-        json!({ "description": format!("Scale of the {}{units}.", sheet.name()) })
+        serde_json::json!({ "description": format!("Scale of the {}{units}.", sheet.name()) })
     })
 }
 

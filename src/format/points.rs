@@ -6,11 +6,11 @@ use crate::geometry::{Place, Point};
 use crate::mechanism::{BodyId, PointId};
 use crate::sheet::Order;
 use indexmap::IndexMap;
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The motion of a point.
-#[derive(Debug, Default, Serialize, JsonSchema)]
+#[derive(Debug, Default, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PointResult {
     /// Where it is.

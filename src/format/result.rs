@@ -15,7 +15,6 @@ use crate::scene::{ForceUnit, MassUnit, SceneError, Units};
 use crate::sheet::Order;
 use crate::words::{Medium, Wording};
 use indexmap::IndexMap;
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The result of `kinegon solve`: every number at full precision, in the scene's units.
@@ -24,7 +23,8 @@ use serde::Serialize;
 /// scene as they are written: positions found from lengths, drive angles found from a link's angle, rounded turns per
 /// minute and roundings of every kind count in. Of a vector it bounds each component. It is zero for a number that the
 /// scene gives, and null where no bound can be proved: at a limit position or a singular one.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ResultFile {
     /// Version of this format.
@@ -44,7 +44,7 @@ pub struct ResultFile {
     /// The quantities that the scene's `want` asks for.
     pub quantities: IndexMap<String, QuantityResult>,
     /// By quantity name: bound on its error, of a vector that of each component, of an angle in degrees.
-    #[schemars(with = "IndexMap<String, Option<f64>>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "IndexMap<String, Option<f64>>"))]
     pub quantity_errors: IndexMap<String, f64>,
     /// What joints carry and drives need; only of a scene with loads.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -66,7 +66,8 @@ pub struct ResultFile {
 }
 
 /// Units of the numbers.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ResultUnits {
     /// Unit of length.
@@ -93,7 +94,8 @@ impl ResultUnits {
 }
 
 /// The motion of a link.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct LinkResult {
     /// Angle of its axis from +x in degrees, in (−180, 180].
@@ -105,7 +107,7 @@ pub struct LinkResult {
     /// Angular velocity, counter-clockwise positive.
     pub omega: f64,
     /// Bound on the error of `omega`.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub omega_error: f64,
     /// Bound on its error where the positions of this file and the rates of the scene count as exact.
     pub omega_error_at_position: f64,
@@ -121,7 +123,8 @@ pub struct LinkResult {
 }
 
 /// The motion of a slider along its guide, seen from the body that carries the guide.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SliderResult {
     /// The body that carries the guide.
@@ -138,7 +141,7 @@ pub struct SliderResult {
     /// Sliding velocity, positive along the guide.
     pub velocity: f64,
     /// Bound on the error of `velocity`.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub velocity_error: f64,
     /// Bound on its error where the positions of this file and the rates of the scene count as exact.
     pub velocity_error_at_position: f64,
@@ -160,7 +163,8 @@ pub struct SliderResult {
 }
 
 /// An Assur group and how well its motion is determined.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct GroupResult {
     /// Its links.
@@ -193,7 +197,8 @@ pub struct GroupResult {
 }
 
 /// The value of a quantity: a number, or a vector.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 #[non_exhaustive]
 pub enum QuantityResult {
@@ -206,7 +211,7 @@ pub enum QuantityResult {
 /// The JSON Schema (draft 2020-12) of the result file.
 #[must_use]
 pub fn result_schema() -> serde_json::Value {
-    schemars::schema_for!(ResultFile).to_value()
+    crate::scene::schema!("result", ResultFile)
 }
 
 impl Solution {

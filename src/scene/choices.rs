@@ -11,7 +11,7 @@ use super::write::write_forms;
 choice! {
     /// The plans for which scales are chosen that the scene does not give.
     #[derive(Default)]
-    #[schemars(rename = "scalesFor")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "scalesFor"))]
     ScalesFor {
         /// The plans in the scene's own position.
         #[default]
@@ -26,7 +26,7 @@ choice! {
 choice! {
     /// A drawing style that comes with the program.
     #[derive(Default)]
-    #[schemars(rename = "styleName")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "styleName"))]
     StyleName {
         /// Black lines with a few dark accents on white.
         #[default]
@@ -43,7 +43,7 @@ choice! {
 choice! {
     /// Notation of poles, images and parts of accelerations. Names of quantities stay the same.
     #[derive(Default)]
-    #[schemars(rename = "notation")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "notation"))]
     NotationName {
         /// The source paper's: poles p and π, images b, parts n, t, c.
         #[default]
@@ -60,7 +60,7 @@ choice! {
 choice! {
     /// How the motion along a guide is written.
     #[derive(Default)]
-    #[schemars(rename = "sliding")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "sliding"))]
     SlidingName {
         /// By the slider: v_r(3/2), a_r(3/2), a_c(3/2).
         #[default]
@@ -72,7 +72,7 @@ choice! {
 
 choice! {
     /// The index of the Coriolis part of an acceleration.
-    #[schemars(rename = "coriolis")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "coriolis"))]
     CoriolisName {
         /// a_c
         Small = "c",
@@ -87,7 +87,7 @@ choice! {
 
 choice! {
     /// The sense in which the velocity plan is turned by 90°.
-    #[schemars(rename = "turned")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "turned"))]
     TurnedName {
         /// Every velocity by +90°.
         CounterClockwise = "counter-clockwise",
@@ -98,7 +98,7 @@ choice! {
 
 choice! {
     /// The letter of instant centres.
-    #[schemars(rename = "center")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "center"))]
     #[derive(Default)]
     CenterName {
         /// P_13
@@ -113,7 +113,7 @@ choice! {
 
 choice! {
     /// The number of the frame, in place of the word for it.
-    #[schemars(rename = "frame")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "frame"))]
     FrameName {
         /// The frame is link 0.
         Zero = "0",
@@ -125,7 +125,7 @@ choice! {
 choice! {
     /// A language of headings and captions.
     #[derive(Default)]
-    #[schemars(rename = "language")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "language"))]
     LanguageName {
         /// English.
         #[default]
@@ -142,7 +142,7 @@ choice! {
 choice! {
     /// Decimal mark of the numbers on figures and in the text of steps; results always have points.
     #[derive(Default)]
-    #[schemars(rename = "decimal")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "decimal"))]
     DecimalMark {
         /// 2.5
         #[default]

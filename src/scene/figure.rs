@@ -2,9 +2,8 @@
 
 use crate::sheet::{Scales, Sheet};
 use indexmap::{IndexMap, IndexSet};
-use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer};
-use serde_json::{Map, Value as Json, json};
+use serde_json::{Map, Value as Json};
 use std::ops::RangeInclusive;
 
 use super::centers::CentersShown;
@@ -18,7 +17,6 @@ use super::joint::{Contact, Slider};
 use super::names::Names;
 use super::page::{Page, PageSize, Sizes};
 use super::says;
-use super::schema::without_defaults;
 use super::text::LARGEST;
 use super::write::{Write, Written, text_of, write_forms, write_keys};
 use crate::message::Message;
@@ -26,43 +24,45 @@ use crate::text::Untrusted;
 
 /// What the figure shows, and how large. The scale `mu` of a panel is in units per millimetre of paper; `None` stands
 /// for the next round scale at which the panel fits.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "figure"))]
+#[cfg_attr(feature = "schemas", schemars(transform = super::schema_made::without_defaults))]
+#[cfg_attr(feature = "schemas", schemars(description = "What the figure shows, and how large."))]
 #[serde(default, deny_unknown_fields, expecting = r#"a figure as { "panels": ["scheme", "velocity"] }"#)]
-#[schemars(rename = "figure", description = "What the figure shows, and how large.", transform = without_defaults)]
 pub struct Figure {
     /// The panels, in order; left out: the scheme and both plans.
-    #[schemars(length(min = 1), extend("uniqueItems" = true))]
+    #[cfg_attr(feature = "schemas", schemars(length(min = 1), extend("uniqueItems" = true)))]
     pub panels: Vec<Sheet>,
     /// The scales of the panels: units of what a panel shows per millimetre of paper. In the file each has the key of
     /// its panel, as `mu_v`.
     #[serde(rename = "mu_*")]
-    #[schemars(flatten, schema_with = "scales_schema")]
+    #[cfg_attr(feature = "schemas", schemars(flatten, schema_with = "scales_schema"))]
     pub mu: Scales,
     /// For which plans scales are chosen that are not given; left out: "position".
-    #[schemars(with = "Option<ScalesFor>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<ScalesFor>"))]
     pub scales: ScalesFor,
     /// The panel that takes most of the sheet; a plan has the scheme as a small companion. Left out: the panels share the sheet.
     pub focus: Option<Sheet>,
     /// The sheet: "a4", "a3", "letter" or, for the projector, "16x9", with "-portrait" where it does not lie; left out: "a4".
-    #[schemars(with = "Option<String>", extend("enum" = Page::NAMES.as_flattened()))]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<String>", extend("enum" = Page::NAMES.as_flattened())))]
     pub page: Page,
     /// Whether it is a work sheet: with a table of all measured lengths and a ruler to test the printer; left out: false.
     pub worksheet: bool,
     /// Whether Willis' table of the trains of wheels stands beside the panels; not on a work sheet. Left out: false.
     pub willis: bool,
     /// How lines and letters look; left out: "paper".
-    #[schemars(with = "Option<StyleName>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<StyleName>"))]
     pub style: StyleName,
     /// How poles, images and parts of accelerations are written; left out: "paper". Names of quantities stay the same.
-    #[schemars(with = "Option<NotationName>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<NotationName>"))]
     pub notation: NotationName,
     /// How motions along guides are written: "slider" as v_r(3/2), "points" as v_B3B2; left out: "slider".
-    #[schemars(with = "Option<SlidingName>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<SlidingName>"))]
     pub sliding: SlidingName,
     /// The index of Coriolis accelerations; left out: that of the notation.
     pub coriolis: Option<CoriolisName>,
     /// How instant centres are written: P_13, I_13 or CIR_13; left out: "P".
-    #[schemars(with = "Option<CenterName>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<CenterName>"))]
     pub center_letter: CenterName,
     /// The number that the frame is called by, unless `labels` has a text for `ground`; left out: a word.
     pub frame: Option<FrameName>,
@@ -70,49 +70,49 @@ pub struct Figure {
     /// it is. Left out: not turned.
     pub turned: Option<TurnedName>,
     /// Language of headings and captions; left out: "en".
-    #[schemars(with = "Option<LanguageName>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<LanguageName>"))]
     pub language: LanguageName,
     /// Decimal mark of the numbers on figures and in the text of steps; left out: "point".
-    #[schemars(with = "Option<DecimalMark>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<DecimalMark>"))]
     pub decimal: DecimalMark,
     /// Text to show in place of a name: { "B'": "B₁" }.
     pub labels: IndexMap<String, Untrusted>,
     /// Whether special points are shown; left out: true.
     pub special_points: bool,
     /// Whether construction lines are shown; "paper": shown, and the plans end where the source paper's end; left out: true.
-    #[schemars(with = "Option<ConstructionShown>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<ConstructionShown>"))]
     pub construction: ConstructionShown,
     /// Whether values stand at vectors and links, in which unit of length; left out: as the style says, "lecture" alone does.
     pub values: Option<ValuesShown>,
     /// The step of the construction up to which the figure is drawn, from 1; left out: finished.
     #[serde(deserialize_with = "count")]
-    #[schemars(with = "Option<u16>", range(min = 1))]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<u16>", range(min = 1)))]
     pub step: Option<usize>,
     /// Points of links whose paths over the whole cycle of the drive are drawn in the scheme.
-    #[schemars(extend("uniqueItems" = true))]
+    #[cfg_attr(feature = "schemas", schemars(extend("uniqueItems" = true)))]
     pub trace: Vec<String>,
     /// Whether these paths go on, dashed, beyond limits of the drive, in the other assembly modes that the mechanism
     /// reaches there if another link moves it; left out: false.
     pub beyond_limits: bool,
     /// Links whose centrodes over that cycle are drawn in the scheme: the curves of the instant centre of the link and the frame, in the frame and in the link.
-    #[schemars(extend("uniqueItems" = true))]
+    #[cfg_attr(feature = "schemas", schemars(extend("uniqueItems" = true)))]
     pub centrodes: Vec<String>,
     /// Links whose inflection circles are drawn in the scheme, through instant centre and inflection pole.
-    #[schemars(extend("uniqueItems" = true))]
+    #[cfg_attr(feature = "schemas", schemars(extend("uniqueItems" = true)))]
     pub inflection: Vec<String>,
     /// Number of equally spaced positions over that cycle in which the links are drawn pale; left out: none.
     #[serde(deserialize_with = "count")]
-    #[schemars(with = "Option<u16>", range(min = 2, max = 72))]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<u16>", range(min = 2, max = 72)))]
     pub ghosts: Option<usize>,
     /// The instant centres on the panel "centers", besides those that lead to them: "all", or a list of names, as ["P(2,ground)"]. Left out: all of a
     /// mechanism with at most four links, of a larger one those of all links with the frame.
-    #[schemars(with = "Option<CentersShown>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<CentersShown>"))]
     pub centers: CentersShown,
     /// Points of links whose velocities that panel shows, found by centres from the one drive.
-    #[schemars(extend("uniqueItems" = true))]
+    #[cfg_attr(feature = "schemas", schemars(extend("uniqueItems" = true)))]
     pub velocities: Vec<String>,
     /// Points of links for whose paths that panel shows the centres of curvature, by Bobillier's construction.
-    #[schemars(extend("uniqueItems" = true))]
+    #[cfg_attr(feature = "schemas", schemars(extend("uniqueItems" = true)))]
     pub curvature: Vec<String>,
     /// Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a
     /// photograph of them is read; left out: true.
@@ -130,10 +130,11 @@ write_keys!(Figure {
     decimal, labels, special_points, construction, values, step, trace, beyond_limits, centrodes, inflection, ghosts, centers, velocities, curvature, markers; sizes, usual_values
 } unless Figure::default());
 
-fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
+#[cfg(feature = "schemas")]
+fn scales_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
     Scales::schema(generator, |sheet| {
         let about = format!("Scale of the {}: {} per millimetre of paper.", sheet.name(), sheet.facts().scaled_units);
-        json!({ "description": about, "exclusiveMinimum": 0 })
+        serde_json::json!({ "description": about, "exclusiveMinimum": 0 })
     })
 }
 

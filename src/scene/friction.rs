@@ -8,19 +8,19 @@ use super::says;
 use super::write::write_keys;
 use crate::text::shown;
 use indexmap::IndexSet;
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Angles of friction are below this one, in degrees: a right angle has no tangent.
 const RIGHT_ANGLE: f64 = 90.0;
 
 /// Friction in the joints at a pin or in a guide, in the file.
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(
     deny_unknown_fields,
     expecting = r#"friction as { "pin": "B", "coefficient": 0.1, "radius": 12 } or { "guide": "3/ground", "coefficient": 0.1 }"#
 )]
-#[schemars(rename = "friction")]
+#[cfg_attr(feature = "schemas", schemars(rename = "friction"))]
 pub(super) struct FrictionFile {
     /// The point of a pin.
     pin: Option<String>,

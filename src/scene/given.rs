@@ -2,11 +2,9 @@
 
 use super::error::Wrong;
 use super::says;
-use super::schema::without_defaults;
 use super::units::TimeUnit;
-use super::value::{At, Vector, vector};
+use super::value::{At, vector};
 use super::write::write_keys;
-use schemars::JsonSchema;
 use serde::Deserialize;
 use std::f64::consts::{PI, TAU};
 
@@ -21,9 +19,9 @@ pub enum GivenBy {
 }
 
 /// A drive: it turns the link (angle, omega or rpm, alpha), or pushes a sliding link (position, speed, acceleration).
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "linkDrive"))]
 #[serde(deny_unknown_fields, expecting = r#"a drive as { "angle": 70, "omega": -1 }"#)]
-#[schemars(rename = "linkDrive")]
 pub(super) struct LinkDriveFile {
     /// Angle of the link's axis from +x, in degrees.
     pub angle: Option<f64>,
@@ -57,9 +55,9 @@ pub struct Drive {
 }
 
 /// A drive that pushes a slider along its guide.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "sliderDrive", transform = super::schema_made::without_defaults))]
 #[serde(deny_unknown_fields, expecting = r#"a drive as { "position": 40, "speed": 10 }"#)]
-#[schemars(rename = "sliderDrive", transform = without_defaults)]
 pub struct SliderDrive {
     /// Distance along the guide from `through`.
     pub position: Option<f64>,
@@ -129,36 +127,36 @@ pub(super) fn first_given<'a>(keys: &[(&'a str, bool)]) -> Option<&'a str> {
 }
 
 /// Known motion of a point.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "pointMotion", transform = super::schema_made::without_defaults))]
 #[serde(deny_unknown_fields, expecting = r#"a motion as { "velocity": [x, y], "acceleration": [x, y] }"#)]
-#[schemars(rename = "pointMotion", transform = without_defaults)]
 pub struct PointMotion {
     /// Velocity, in length per time.
     #[serde(deserialize_with = "vector")]
-    #[schemars(with = "Vector")]
+    #[cfg_attr(feature = "schemas", schemars(with = "super::value::Vector"))]
     pub velocity: [f64; 2],
     /// Acceleration, in length per time squared; left out: zero.
     #[serde(default, deserialize_with = "vector")]
-    #[schemars(with = "Option<Vector>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<super::value::Vector>"))]
     pub acceleration: [f64; 2],
 }
 
 write_keys!(PointMotion { velocity, acceleration });
 
 /// Known motion of a link.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "linkMotion", transform = super::schema_made::without_defaults))]
 #[serde(deny_unknown_fields, expecting = r#"a motion as { "at": "B", "velocity": [x, y], "omega": 1 }"#)]
-#[schemars(rename = "linkMotion", transform = without_defaults)]
 pub struct LinkMotion {
     /// The point or the place where the link has the velocity and the acceleration given here.
     pub at: At,
     /// Velocity there, in length per time.
     #[serde(deserialize_with = "vector")]
-    #[schemars(with = "Vector")]
+    #[cfg_attr(feature = "schemas", schemars(with = "super::value::Vector"))]
     pub velocity: [f64; 2],
     /// Acceleration there, in length per time squared; left out: zero.
     #[serde(default, deserialize_with = "vector")]
-    #[schemars(with = "Option<Vector>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<super::value::Vector>"))]
     pub acceleration: [f64; 2],
     /// Angular velocity, in radians per unit of time; left out: zero.
     #[serde(default)]

@@ -4,7 +4,6 @@
 use std::collections::{HashMap, HashSet};
 
 use indexmap::IndexMap;
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::error::{Wrong, number};
@@ -17,9 +16,9 @@ use super::value::{NamesOr, ShapePoint, several_forms};
 use super::write::{write_forms, write_keys};
 
 /// A rigid link. Its axis runs from its first to its second point.
-#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "linkFields"))]
 #[serde(deny_unknown_fields, expecting = "a link")]
-#[schemars(rename = "linkFields")]
 pub(super) struct LinkFields {
     /// Names of its points.
     pub points: Option<Vec<String>>,

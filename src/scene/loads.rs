@@ -14,13 +14,12 @@ use super::value::{Direction, OneOf, Vector, choice, several_forms};
 use super::write::{Write, Written, write_forms, write_keys};
 use crate::text::shown;
 use indexmap::{IndexMap, IndexSet};
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 choice! {
     /// Whether inertia counts among the loads.
     #[derive(Default)]
-    #[schemars(rename = "analysis")]
+    #[cfg_attr(feature = "schemas", schemars(rename = "analysis"))]
     Analysis {
         /// Inertia forces and couples count, by d'Alembert's principle.
         #[default]
@@ -88,9 +87,9 @@ pub enum Amount {
 }
 
 /// A force or a couple on a link, in the file.
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "load"))]
 #[serde(deny_unknown_fields, expecting = r#"a load as { "on": "3", "at": "C", "force": [-150, 0] }"#)]
-#[schemars(rename = "load")]
 pub(super) struct LoadFile {
     /// Its name in tables and figures; left out: F1, F2 … for forces; M1 for a couple on link 1, M2 for one on link 2 ….
     name: Option<String>,
@@ -130,12 +129,13 @@ pub struct Load {
 }
 
 /// A spring between two places, in the file.
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(
     deny_unknown_fields,
     expecting = r#"a spring as { "between": [["3", "C"], ["ground", "A"]], "rate": 1.5, "length": 120 }"#
 )]
-#[schemars(rename = "spring")]
+#[cfg_attr(feature = "schemas", schemars(rename = "spring"))]
 pub(super) struct SpringFile {
     /// Its name in tables and figures; left out: K1, K2 …
     name: Option<String>,
@@ -150,9 +150,9 @@ pub(super) struct SpringFile {
 write_keys!(SpringFile { name, between, rate, length });
 
 /// An end of a spring in the file: a link or "ground", and a place of it.
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "springEnd"))]
 #[serde(expecting = r#"an end of a spring as ["3", "C"], a link and a place on it"#)]
-#[schemars(rename = "springEnd")]
 pub(super) struct EndFile(String, LinkPlace);
 
 impl Write for EndFile {

@@ -37,6 +37,8 @@ mod reader;
 #[doc(hidden)] // for tests
 pub mod says;
 mod schema;
+#[cfg(feature = "schemas")]
+pub(crate) mod schema_made;
 mod text;
 mod typed;
 mod units;
@@ -77,7 +79,7 @@ pub(crate) use figure::figure_keys;
 pub(crate) use link::STRAIGHT;
 pub(crate) use load_names::{LoadNames, couple_name};
 pub(crate) use name::{Bearer, by_name, joined, pair, why_not};
-pub(crate) use schema::{schema_of, version};
+pub(crate) use schema::schema;
 pub(crate) use text::{FileKind, LARGEST, SceneTree};
 pub(crate) use typed::read_as;
 pub(crate) use value::several_forms;

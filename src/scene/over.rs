@@ -10,7 +10,6 @@ use super::value::{Direction, OneOf, several_forms};
 use super::write::{write_forms, write_keys};
 use crate::geometry::Ball;
 use crate::text::shown;
-use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::value::SeqAccessDeserializer;
 use serde::de::{SeqAccess, Visitor};
@@ -20,12 +19,13 @@ use std::fmt;
 const TURN: f64 = 360.0;
 
 /// How a load changes over the motion, in the file.
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(
     deny_unknown_fields,
     expecting = r#"how a load changes as { "of": "angle(1)", "table": [[0, 0], [90, 1500], [180, 0]] }"#
 )]
-#[schemars(rename = "over")]
+#[cfg_attr(feature = "schemas", schemars(rename = "over"))]
 pub(super) struct OverFile {
     /// What it depends on: `angle(1)`, the angle of a link, or `position(3/ground)`, the position of a slider.
     of: String,
@@ -57,7 +57,8 @@ impl<'de> Visitor<'de> for Lines {
     }
 }
 
-impl JsonSchema for Table {
+#[cfg(feature = "schemas")]
+impl schemars::JsonSchema for Table {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         "loadTable".into()
     }

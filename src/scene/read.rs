@@ -1,7 +1,6 @@
 //! The scene file, version 1, key by key; the checked scene; and the way from text to scene.
 
 use indexmap::IndexMap;
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::centers::check_centers;
@@ -18,7 +17,7 @@ use super::names::Names;
 use super::points::{Ground, Near, check_given_once, check_motions, check_points, ground, known, near};
 use super::quantity_name::QuantityName;
 use super::says;
-use super::schema::schema_of;
+use super::schema::schema;
 use super::text::FileKind;
 use super::typed::{read_as, read_with};
 use super::units::Units;
@@ -29,12 +28,12 @@ use crate::message::Message;
 use crate::text::{Untrusted, shown};
 
 /// A planar mechanism: x right, y up, counter-clockwise positive, angles in degrees.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "scene"))]
 #[serde(deny_unknown_fields, expecting = r#"a scene as { "kinegon": 1, … }"#)]
-#[schemars(rename = "scene")]
 pub(super) struct SceneFile {
     /// Version of the scene format.
-    #[schemars(schema_with = "crate::scene::version")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "crate::scene::schema_made::version"))]
     pub kinegon: u64,
     /// Title of the mechanism, for example the publication it is from.
     pub title: Option<Untrusted>,
@@ -77,7 +76,7 @@ pub(super) struct SceneFile {
     pub form: Option<IndexMap<String, f64>>,
     /// How many stages of a hint somebody may open who solves this as an exercise in the workbench: 1 the plan, 2 the first wrong value,
     /// 3 the step, 4 what was done; left out: all.
-    #[schemars(range(min = 0, max = MOST_HINTS))]
+    #[cfg_attr(feature = "schemas", schemars(range(min = 0, max = MOST_HINTS)))]
     pub hints: Option<usize>,
 }
 
@@ -203,7 +202,7 @@ impl Scene {
 
     /// The JSON Schema (draft 2020-12) of the scene file, with descriptions, for editors.
     pub fn schema() -> serde_json::Value {
-        schema_of::<SceneFile>("Kinegon scene, version 1")
+        schema!("scene", SceneFile, "Kinegon scene, version 1")
     }
 }
 

@@ -4,13 +4,12 @@
 use super::value::choice;
 use super::write::write_keys;
 use crate::geometry::Ball;
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Units of every length and time of the scene, and of masses and forces where it has some.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "units"))]
 #[serde(deny_unknown_fields, expecting = r#"units as { "length": "mm", "time": "s" }"#)]
-#[schemars(rename = "units")]
 pub struct Units {
     /// Unit of length.
     pub length: LengthUnit,

@@ -4,7 +4,6 @@
 
 use std::fmt;
 
-use schemars::JsonSchema;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Error, IgnoredAny, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -102,12 +101,12 @@ pub fn polar(size: f64, angle_deg: f64) -> [f64; 2] {
 }
 
 /// A vector by size and angle.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "sizeAngle"))]
 #[serde(deny_unknown_fields, expecting = r#"a vector as { "size": 150, "angle": 210 }"#)]
-#[schemars(rename = "sizeAngle")]
 struct SizeAngle {
     /// Size, not negative.
-    #[schemars(range(min = 0.0))]
+    #[cfg_attr(feature = "schemas", schemars(range(min = 0.0)))]
     size: f64,
     /// Angle from +x, in degrees.
     angle: f64,
@@ -196,6 +195,7 @@ macro_rules! several_forms {
             }
         }
 
+        #[cfg(feature = "schemas")]
         impl schemars::JsonSchema for $type {
             fn schema_name() -> std::borrow::Cow<'static, str> {
                 $name.into()
@@ -212,7 +212,8 @@ pub(crate) use several_forms;
 /// Makes an enum of such words, with one list for reading, schema and writing.
 macro_rules! choice {
     ($(#[$about:meta])* $name:ident { $($(#[$doc:meta])* $value:ident = $word:literal,)* }) => {
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
+        #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
         $(#[$about])*
         #[non_exhaustive]
         pub enum $name { $($(#[$doc])* #[serde(rename = $word)] $value,)* }

@@ -2,11 +2,10 @@
 
 use super::task::Figure;
 use crate::message::Message;
-use crate::scene::{FileKind, SceneError, SceneTree, range_of, read_as, schema_of};
+use crate::scene::{FileKind, SceneError, SceneTree, range_of, read_as, schema};
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 use jsonc_parser::ast::Value as Node;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde_json::Value as Json;
 
@@ -16,41 +15,41 @@ pub(super) const USUAL_SEED: u64 = 1;
 const STUDY: FileKind = FileKind { what: crate::scene::says::study, key: "kinegon_study", version: 1 };
 
 /// Many mechanisms that differ from one scene in some numbers, each moved through a cycle.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "study"))]
 #[serde(deny_unknown_fields, expecting = r#"a study as { "kinegon_study": 1, … }"#)]
-#[schemars(rename = "study")]
 pub(super) struct Keys {
     /// Version of the format.
-    #[schemars(schema_with = "crate::scene::version")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "crate::scene::schema_made::version"))]
     #[serde(rename = "kinegon_study")]
     _version: u64,
     /// Where an editor finds the schema.
-    #[schemars(skip)]
+    #[cfg_attr(feature = "schemas", schemars(skip))]
     #[serde(rename = "$schema")]
     _schema: Option<String>,
     /// What the study is for; not used.
     #[serde(rename = "title")]
     _title: Option<Untrusted>,
     /// The scene: the path of its file from the study's folder, or the scene itself.
-    #[schemars(schema_with = "scene")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "scene"))]
     scene: Json,
     /// The numbers of the scene that vary, by name: "2.BC" a length of link 2, "D.x" a coordinate of a ground point, "2.E.y" one in a
     /// link's shape, "1.omega" a number of a drive; or by their places in the scene, as "links.2.lengths.BC".
     pub vary: IndexMap<String, Range>,
     /// How many mechanisms are drawn by lot at each point of the grid; needed where a number varies at random.
-    #[schemars(range(min = 1))]
+    #[cfg_attr(feature = "schemas", schemars(range(min = 1)))]
     pub count: Option<u64>,
     /// Chooses the random numbers; left out: 1.
     pub seed: Option<u64>,
     /// Whether `max`, `min`, `max_abs` and `at_scene` each have a column with the bound of the error of the value there, as
     /// "omega(3).max_error"; left out: not. It takes some hundred times as long.
     #[serde(default)]
-    #[schemars(extend("default" = false))]
+    #[cfg_attr(feature = "schemas", schemars(extend("default" = false)))]
     pub bounds: bool,
     /// Whether extremes of a mechanism that goes round smoothly are those of the positions at the steps, and are not looked for between them;
     /// left out: they are. It takes less time, and misses the true extremes by up to the height of the curve between two steps.
     #[serde(default)]
-    #[schemars(extend("default" = false))]
+    #[cfg_attr(feature = "schemas", schemars(extend("default" = false)))]
     pub at_steps: bool,
     /// The motion of each mechanism.
     pub cycle: Cycle,
@@ -60,19 +59,20 @@ pub(super) struct Keys {
 
 /// The values that a number takes: a grid with `count`, all equally likely between `from` and `to` without it; about the scene's number
 /// within `plus_minus`, all equally likely; or about it with the standard deviation `sigma`.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(
     deny_unknown_fields,
     expecting = r#"a range as { "from": 80, "to": 120, "count": 9 } or { "plus_minus": 0.5 }"#
 )]
-#[schemars(rename = "range")]
+#[cfg_attr(feature = "schemas", schemars(rename = "range"))]
 pub(super) struct Range {
     /// First value.
     pub from: Option<f64>,
     /// Last value.
     pub to: Option<f64>,
     /// Number of values of a grid, both ends among them.
-    #[schemars(range(min = 2))]
+    #[cfg_attr(feature = "schemas", schemars(range(min = 2)))]
     pub count: Option<u64>,
     /// The middle of `plus_minus` or `sigma`; left out: the scene's number.
     pub nominal: Option<f64>,
@@ -83,9 +83,9 @@ pub(super) struct Range {
 }
 
 /// The motion of a drive in equal steps.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "cycle"))]
 #[serde(deny_unknown_fields, expecting = r#"a cycle as { "from": 0, "to": 360, "step": 5 }"#)]
-#[schemars(rename = "cycle")]
 pub(super) struct Cycle {
     /// The drive that moves, if not the first.
     pub drive: Option<String>,
@@ -97,12 +97,13 @@ pub(super) struct Cycle {
     pub step: f64,
     /// Whether other drives stand still; left out: they run along in proportion to their speeds.
     #[serde(default)]
-    #[schemars(extend("default" = false))]
+    #[cfg_attr(feature = "schemas", schemars(extend("default" = false)))]
     pub alone: bool,
 }
 
-fn scene(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "anyOf": [{ "type": "string", "description": "Path of a scene file" }, { "type": "object", "description": "A scene" }] })
+#[cfg(feature = "schemas")]
+fn scene(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schemars::json_schema!({ "anyOf": [{ "type": "string", "description": "Path of a scene file" }, { "type": "object", "description": "A scene" }] })
 }
 
 /// Where a study has its scene.
@@ -201,6 +202,6 @@ impl StudyFile {
     /// The JSON Schema (draft 2020-12) of studies, with descriptions, for editors.
     #[must_use]
     pub fn schema() -> Json {
-        schema_of::<Keys>("Kinegon study, version 1")
+        schema!("study", Keys, "Kinegon study, version 1")
     }
 }

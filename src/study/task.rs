@@ -3,7 +3,6 @@
 use super::samples::{fluctuation, mean};
 use crate::cycle::{Drive, Steps};
 use crate::quantity::{QuantityKind, QuantityRequest};
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// The motion that every mechanism makes, and what is wanted of it.
@@ -72,9 +71,9 @@ impl Wanted {
 }
 
 /// What is said of a quantity over the cycle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "figure"))]
 #[serde(rename_all = "snake_case")]
-#[schemars(rename = "figure")]
 pub enum Figure {
     /// The greatest value, and the drive's value there.
     Max,

@@ -4,14 +4,13 @@
 //! in the other picture is like it: if they all differ by more than half of black to white in some colour. Edges never are, whatever the
 //! smoothing; a label that has moved by half a millimetre, a subscript or a prime that is missing leave dozens of such pixels, or at least five.
 
-use kinegon::drawing::{Drawing, ITALIC, Mark, Pen, REGULAR, Shape, Vec2};
+use kinegon::drawing::{Drawing, Mark, Pen, Shape, Vec2};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
-use resvg::usvg::fontdb::{Database, Source};
 use resvg::usvg::{Options, Tree};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::Arc;
 use support::browser::Browser;
+use support::ink::outlined;
 use support::program::scratch;
 use support::stages::solved;
 use support::survey;
@@ -61,14 +60,9 @@ impl Picture {
         }
     }
 
-    /// What resvg makes of an SVG file, with the bundled fonts.
+    /// What resvg makes of an SVG file, with its texts set from the bundled fonts.
     fn of(svg: &str) -> Picture {
-        let mut fonts = Database::new();
-        for face in [REGULAR, ITALIC] {
-            fonts.load_font_source(Source::Binary(Arc::new(face)));
-        }
-        let options = Options { fontdb: Arc::new(fonts), ..Options::default() };
-        let tree = Tree::from_str(svg, &options).expect("it is SVG");
+        let tree = Tree::from_str(&outlined(svg), &Options::default()).expect("it is SVG");
         let scale = DPI as f32 / 96.0;
         let pixels = |side: f32| (side * scale).ceil() as u32;
         let mut pixmap = Pixmap::new(pixels(tree.size().width()), pixels(tree.size().height())).expect("it has a size");

@@ -1,18 +1,16 @@
-//! Files in the repository that the program makes are what it makes now: the schemas, the two figures of the paper, curves over the second
+//! Files in the repository that the program makes are what it makes now: the two figures of the paper, curves over the second
 //! one's cycle and the paper's numbers checked, the gallery, the workbench.
 //!
-//! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `style`, `marks` and `drawing`, `kinegon draw`,
-//! `kinegon curves examples/figure-2.json --want "omega(4), alpha(4), v_r(3/2)"`,
+//! `kinegon draw`, `kinegon curves examples/figure-2.json --want "omega(4), alpha(4), v_r(3/2)"`,
 //! `kinegon check examples/figure-2.json examples/paper-as-student.json --draw out/ --mu-l 5 --mu-v 2.5 --mu-a 2.5` and
 //! `cargo run --release --example gallery` make them anew; `web/build` makes the workbench.
 
 use crate::examples::gallery;
-use kinegon::board::drawing_schema;
-use kinegon::check::{Marks, Measured, check, redrawn};
+use kinegon::check::{Measured, check, redrawn};
 use kinegon::cycle::{Curves, Drive, Path};
-use kinegon::drawing::{Drawing, Style};
+use kinegon::drawing::Drawing;
 use kinegon::scene::Scene;
-use kinegon::{PerSheet, Sheet, Solution, drawing, format};
+use kinegon::{PerSheet, Sheet, Solution, drawing};
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use support::files;
@@ -72,15 +70,6 @@ fn figures() -> [(&'static str, Drawing); 5] {
         ("paper-as-student-check", checked),
         ("paper-as-student-check-values", values),
     ]
-}
-
-#[test]
-fn schemas_are_current() {
-    same("templates/scene.schema.json", &format::json(&Scene::schema()));
-    same("templates/result.schema.json", &format::json(&format::result_schema()));
-    same("templates/style.schema.json", &format::json(&Style::schema()));
-    same("templates/marks.schema.json", &format::json(&Marks::schema()));
-    same("templates/drawing.schema.json", &format::json(&drawing_schema()));
 }
 
 #[test]

@@ -353,13 +353,3 @@ fn a_refusal_has_its_place_in_utf_16() {
     let [from, to] = ["from", "to"].map(|key| refused[key].as_u64().expect("a place") as usize);
     assert_eq!(String::from_utf16_lossy(&units[from..to]), "\"linkz\"", "{refused}");
 }
-
-#[test]
-fn the_schema_is_current() {
-    let schema = format!("{:#}\n", kinegon_web::schema());
-    if schema != read("web/engine/schema.json") {
-        let now = support::files::path("target/tmp/engine-schema.json");
-        std::fs::write(&now, schema).expect("it can be written");
-        panic!("it is {} now; web/README.md says how it is made", now.display());
-    }
-}

@@ -240,7 +240,9 @@ fn the_package_has_what_it_is_built_from_and_little_else() {
         "src/drawing/fonts/OFL-1.1.txt",
         "templates/workbench.html",
     ];
-    for path in taken.into_iter().chain(scenes).chain(fixed.map(str::to_owned)) {
+    let schemas = files::list("templates").into_iter().filter(|name| name.ends_with(".schema.json"));
+    let schemas = schemas.map(|name| format!("templates/{name}"));
+    for path in taken.into_iter().chain(scenes).chain(schemas).chain(fixed.map(str::to_owned)) {
         assert!(listed.contains(path.as_str()), "{path} is not in the package");
     }
     for path in listed {

@@ -4,23 +4,21 @@ use super::super::look::{Cap, Colour, Dash, Pen};
 use super::paint::{DashList, Dashes, Millimetres, Paint};
 use crate::scene::{Measure, Sizes, StyleName};
 use indexmap::IndexMap;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Error, IntoDeserializer, Visitor};
 use serde::{Deserialize, Deserializer};
-use serde_json::Value as Json;
 use std::fmt;
 
 /// How a figure looks: colours, widths and dashes of its pens. What is left out is as in the style that this one is based on.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "style"))]
 #[serde(deny_unknown_fields, expecting = r#"a style as { "kinegon_style": 1, … }"#)]
-#[schemars(rename = "style")]
 pub(super) struct StyleFile {
     /// Version of the style format.
-    #[schemars(schema_with = "crate::scene::version")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "crate::scene::schema_made::version"))]
     #[serde(rename = "kinegon_style")]
     pub _version: u64,
     /// Where an editor finds the schema.
-    #[schemars(skip)]
+    #[cfg_attr(feature = "schemas", schemars(skip))]
     #[serde(rename = "$schema")]
     pub _schema: Option<String>,
     /// The style that this one differs from; left out: "paper".
@@ -41,20 +39,20 @@ pub(super) struct StyleFile {
     pub curve_dashes: Option<Vec<DashList>>,
     /// Sizes of letters and signs; everything else on a sheet is in proportion to its letters.
     #[serde(default)]
-    #[schemars(with = "Option<SizesFile>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<SizesFile>"))]
     pub sizes: SizesFile,
     /// Whether figures show values where the scene does not say so; left out: as the style that this one is based on.
     pub values: Option<bool>,
     /// How each kind of mark looks.
-    #[schemars(schema_with = "pens")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "pens"))]
     #[serde(default)]
     pub pens: IndexMap<PenName, PenFile>,
 }
 
 /// Sizes of letters and signs on a sheet: in mm, or as "3.6 %" of the sheet's shorter side.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Default, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "sizes"))]
 #[serde(deny_unknown_fields, expecting = r#"sizes as { "letters": 6, "arrowheads": 3.5 }"#)]
-#[schemars(rename = "sizes")]
 pub(super) struct SizesFile {
     /// Size of letters, one em; subscripts are smaller.
     pub letters: Option<Measure>,
@@ -99,9 +97,9 @@ impl<'de> Deserialize<'de> for PenName {
 }
 
 /// How one kind of mark looks.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "pen"))]
 #[serde(deny_unknown_fields, expecting = r##"a pen as { "stroke": "#b5361c", "width": 0.25 }"##)]
-#[schemars(rename = "pen")]
 pub(super) struct PenFile {
     /// Colour of lines and arrowheads.
     pub stroke: Option<Paint>,
@@ -174,9 +172,10 @@ pub(super) struct StyleValues {
 }
 
 /// An object with a key for each pen.
-fn pens(generator: &mut SchemaGenerator) -> Schema {
+#[cfg(feature = "schemas")]
+fn pens(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
     let pen = generator.subschema_for::<PenFile>();
-    let names = Pen::json_schema(generator).to_value();
+    let names = <Pen as schemars::JsonSchema>::json_schema(generator).to_value();
     let mut properties = serde_json::Map::new();
     for name in names["oneOf"].as_array().into_iter().flatten() {
         let Some(key) = name["const"].as_str() else {
@@ -186,8 +185,8 @@ fn pens(generator: &mut SchemaGenerator) -> Schema {
         schema.insert("description".into(), name["description"].clone());
         properties.insert(key.to_owned(), schema.to_value());
     }
-    json_schema!({
+    schemars::json_schema!({
         "description": "How each kind of mark looks",
-        "type": "object", "properties": Json::Object(properties), "additionalProperties": false
+        "type": "object", "properties": serde_json::Value::Object(properties), "additionalProperties": false
     })
 }

@@ -5,7 +5,7 @@ mod file;
 mod paint;
 
 use super::look::{Colour, Dash, Look, Pen};
-use crate::scene::{FileKind, SceneError, Sizes, StyleName, read_as, schema_of};
+use crate::scene::{FileKind, SceneError, Sizes, StyleName, read_as, schema};
 use file::{StyleFile, StyleValues};
 use paint::{Dashes, Paint};
 use std::sync::{Arc, LazyLock};
@@ -65,7 +65,7 @@ impl Style {
     /// The JSON Schema (draft 2020-12) of the style file, with descriptions, for editors.
     #[must_use]
     pub fn schema() -> serde_json::Value {
-        schema_of::<StyleFile>("Kinegon drawing style, version 1")
+        schema!("style", StyleFile, "Kinegon drawing style, version 1")
     }
 
     /// The look of a mark with this pen that belongs to the link or curve with this number, or to none.

@@ -5,7 +5,6 @@ mod change;
 #[doc(hidden)] // for tests
 pub mod held;
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::document::Document;
@@ -22,7 +21,8 @@ use change::Change;
 use held::{Held, allowed};
 
 /// What stays when a joint is pulled.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Pins {
     /// Points that stay where they are.
     pub points: Vec<String>,

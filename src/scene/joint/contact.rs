@@ -2,7 +2,6 @@
 //! equivalent linkage: a link between the two centres of curvature; where one profile is flat, a pin in a guide along it.
 
 use indexmap::IndexMap;
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::slider::{Along, Slider, SliderFile, face};
@@ -23,22 +22,23 @@ use crate::scene::write::write_keys;
 const DRAWN: f64 = 0.01;
 
 /// Two profiles that touch, as those of a cam and its follower.
-#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(
     deny_unknown_fields,
     expecting = r#"a contact as { "links": ["1", "3"], "centers": ["K", "C"], "radii": [40, 10] }"#
 )]
-#[schemars(rename = "contact")]
+#[cfg_attr(feature = "schemas", schemars(rename = "contact"))]
 pub(in crate::scene) struct ContactFile {
     /// The two bodies that touch: links, or "ground".
-    #[schemars(length(equal = 2))]
+    #[cfg_attr(feature = "schemas", schemars(length(equal = 2)))]
     pub links: Vec<String>,
     /// The centres of curvature of their profiles at the contact, a point of each, in the same order; only that of the first where the second
     /// profile is flat.
-    #[schemars(length(min = 1, max = 2))]
+    #[cfg_attr(feature = "schemas", schemars(length(min = 1, max = 2)))]
     pub centers: Vec<String>,
     /// The radii of curvature in the same order, that of a hollow profile negative. In a drawn configuration they may be left out.
-    #[schemars(length(min = 1, max = 2))]
+    #[cfg_attr(feature = "schemas", schemars(length(min = 1, max = 2)))]
     pub radii: Option<Vec<f64>>,
     /// The direction of the flat profile of the second body, as that of a guide; the first body lies to its right, below a face that runs to +x.
     pub along: Option<Direction>,

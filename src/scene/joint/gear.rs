@@ -3,7 +3,6 @@
 
 use std::collections::HashSet;
 
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{Along, JointKind, Meaning, On, Slider};
@@ -61,23 +60,23 @@ choice!(
 );
 
 /// Two wheels that mesh: their pitch circles roll on each other without slip; or a wheel that rolls on a rack; or two wheels with a belt.
-#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "gear"))]
 #[serde(deny_unknown_fields, expecting = r#"a gear pair as { "mesh": ["1", "2"], "teeth": [20, 40], "on": "ground" }"#)]
-#[schemars(rename = "gear")]
 pub(in crate::scene) struct GearFile {
     /// The two wheels: links, or "ground" for a wheel that is fixed to the frame.
-    #[schemars(length(equal = 2))]
+    #[cfg_attr(feature = "schemas", schemars(length(equal = 2)))]
     pub mesh: Vec<String>,
     /// Their numbers of teeth, in the same order; that of a ring with inner teeth is negative. Wheels that only roll, and those of belts, have
     /// whole numbers in the ratio of their radii. "rack" stands for a straight rack, which slides on the carrier, or on which the carrier slides.
-    #[schemars(length(equal = 2))]
+    #[cfg_attr(feature = "schemas", schemars(length(equal = 2)))]
     pub teeth: Vec<Teeth>,
     /// The carrier on whose pins both turn: a link (the arm of a planetary train), or "ground".
     pub on: String,
     /// How a belt or a chain runs around the wheels, in place of teeth that mesh.
     pub belt: Option<Belt>,
     /// The radius of the wheel's pitch circle on a rack; of wheels with a belt that of the first, which is only drawn.
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[cfg_attr(feature = "schemas", schemars(extend("exclusiveMinimum" = 0)))]
     pub radius: Option<f64>,
     /// The rack's position along its guide, or the carrier's along the rack, where the wheel's axis stands at 0 from the carrier's; left out: 0.
     /// Not in a drawn configuration.

@@ -3,7 +3,6 @@
 use std::collections::HashSet;
 
 use indexmap::IndexMap;
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{JointKind, Meaning};
@@ -19,9 +18,9 @@ use crate::scene::write::write_keys;
 use crate::text::shown;
 
 /// A link, by its point `at`, slides on a guide of `on`; or a pin rides in a slot of `on`.
-#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(rename = "slider"))]
 #[serde(deny_unknown_fields, expecting = r#"a slider as { "link": "3", "at": "D", "on": "2", "along": "BE" }"#)]
-#[schemars(rename = "slider")]
 pub(in crate::scene) struct SliderFile {
     /// The sliding link.
     pub link: Option<String>,
@@ -41,7 +40,7 @@ pub(in crate::scene) struct SliderFile {
     pub turned: Option<f64>,
     /// The least and the greatest position along the guide at which the guide still holds what slides: the ends of a slot. Not in a drawn
     /// configuration.
-    #[schemars(length(equal = 2))]
+    #[cfg_attr(feature = "schemas", schemars(length(equal = 2)))]
     pub travel: Option<Vec<f64>>,
     /// The drive that pushes the slider.
     pub drive: Option<SliderDrive>,

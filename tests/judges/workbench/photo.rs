@@ -2,7 +2,6 @@
 
 use super::bench::Bench;
 use kinegon::Sheet;
-use kinegon::drawing::ITALIC;
 use kinegon::drawing::markers::{PlacedPanel, SheetCode};
 use resvg::usvg::Options;
 use serde_json::{Value, json};
@@ -14,6 +13,7 @@ use support::camera::drawn::{Drawing, Panel, drawn};
 use support::camera::page::Page;
 use support::camera::wrong::Wrong;
 use support::files;
+use support::ink::outlined;
 use support::random::Random;
 use support::students::hand::RIGHT;
 use support::students::task::Task;
@@ -51,9 +51,7 @@ fn taken(kind: &'static str, name: &str, edge: usize) -> Taken {
     let panels: Vec<Panel> = code.panels.iter().map(panel).collect();
     let drawing = drawn(&task, None, RIGHT, 1, &panels);
     let size = code.page.size_mm();
-    let mut options = Options::default();
-    options.fontdb_mut().load_font_data(ITALIC.to_vec());
-    let page = Page::draw(&sheet.svg(), size, 24, &options).printed(&drawing.strokes, 1);
+    let page = Page::draw(&outlined(&sheet.svg()), size, 24, &Options::default()).printed(&drawing.strokes, 1);
     // The first picture in which the sheet lies as it is read.
     let pictures = (1..).map(|seed| Photograph::random(seed, Kind::Flat, size).with_edge(edge));
     let is_upright = |picture: &Photograph| {

@@ -1,17 +1,17 @@
 use kinegon::Sheet;
 use kinegon::cycle;
 use kinegon::words::Wording;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 /// What is known of a scene that could be solved.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Opened {
     /// Its title, or the usual one.
     pub title: String,
     /// The scene file as JSON.
-    #[schemars(extend("tsType" = "SceneFile"))]
+    #[cfg_attr(feature = "types", schemars(extend("tsType" = "SceneFile")))]
     pub scene: Map<String, Value>,
     /// Its drives and where they stand.
     pub drives: Vec<Drive>,
@@ -38,7 +38,8 @@ pub struct Opened {
 }
 
 /// A quantity by its name, and what the name says.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Quantity {
     /// Its whole name, as `v(D).size`.
     pub name: String,
@@ -55,7 +56,8 @@ pub struct Quantity {
 }
 
 /// A kind of thing that has quantities.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Owner {
     /// A link.
@@ -69,7 +71,8 @@ pub enum Owner {
 }
 
 /// A drive and where it stands.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Drive {
     /// A driven link, or a slider on a moving link such as 3/2.
     pub name: String,
@@ -95,7 +98,8 @@ impl Drive {
 }
 
 /// How a scene runs: all its drives together, in proportion to their speeds.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Running {
     /// The drive by whose value the others are told: the first that has a speed.
     pub drive: String,
@@ -110,7 +114,8 @@ pub struct Running {
 }
 
 /// A step of the construction.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Step {
     /// Counted from 1.
     pub number: usize,
@@ -125,7 +130,8 @@ pub struct Step {
 }
 
 /// How a scene is shown besides what its `figure` says.
-#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct View {
     /// The step after which it is shown, from 1; none for the finished figure.
     pub step: Option<usize>,
@@ -135,28 +141,29 @@ pub struct View {
     pub modes: bool,
     /// The panels that are shown in place of the figure's: a student's link shows the scheme alone. What is no panel is passed over.
     #[serde(default)]
-    #[schemars(with = "Option<Vec<Sheet>>", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", schemars(with = "Option<Vec<Sheet>>", skip_serializing_if = "Option::is_none"))]
     pub panels: Option<Vec<String>>,
     /// The part of the screen for which it is laid out; none for the figure's paper, as in its file.
     #[serde(default)]
-    #[schemars(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", schemars(skip_serializing_if = "Option::is_none"))]
     pub pane: Option<Pane>,
     /// The panel that has most of a part of the screen; none where all share it.
     #[serde(default)]
-    #[schemars(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", schemars(skip_serializing_if = "Option::is_none"))]
     pub focus: Option<Sheet>,
     /// Points whose paths are drawn in the scheme besides those of the figure. What has no path is passed over.
     #[serde(default)]
-    #[schemars(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "types", schemars(skip_serializing_if = "Vec::is_empty"))]
     pub trace: Vec<String>,
     /// How far the layout has gone from that of the last gesture to its own, from 0 to 1; none where it is there.
     #[serde(default)]
-    #[schemars(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", schemars(skip_serializing_if = "Option::is_none"))]
     pub eased: Option<f64>,
 }
 
 /// A part of the screen, in pixels.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Pane {
     /// Its width.
     pub width: f64,
@@ -189,7 +196,8 @@ impl View {
 }
 
 /// A picture of the scene in one position.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Picture {
     /// The sheet.
     pub svg: String,
@@ -208,8 +216,8 @@ pub struct Picture {
 }
 
 /// A panel of a picture.
-#[derive(Debug, Serialize, JsonSchema)]
-#[schemars(rename = "PicturePanel")]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema), schemars(rename = "PicturePanel"))]
 pub struct Panel {
     /// Its name in words.
     pub name: String,
@@ -223,7 +231,8 @@ pub struct Panel {
 }
 
 /// A place that can be taken hold of.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Handle {
     /// The point's name.
     pub name: String,
@@ -236,8 +245,8 @@ pub struct Handle {
 }
 
 /// A value of the scene's own position.
-#[derive(Debug, Serialize, JsonSchema)]
-#[schemars(rename = "Value")]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema), schemars(rename = "Value"))]
 pub struct ValueRow {
     /// Its name, as `v(D).size`.
     pub name: String,

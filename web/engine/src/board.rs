@@ -11,11 +11,11 @@ use kinegon::check::AnswerKey;
 use kinegon::construction::Tolerance;
 use kinegon::format::pdf_pages;
 use kinegon::{Order, Sheet};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Which picture of a drawing is wanted.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct BoardPictureAsk {
     /// Of which sheet.
     pub sheet: Sheet,
@@ -29,7 +29,8 @@ pub struct BoardPictureAsk {
 }
 
 /// What is found of a drawing.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct BoardJudged {
     /// The entries with their verdicts.
     pub entries: Vec<kinegon::board::EntryResult>,

@@ -4,11 +4,11 @@ use crate::answers::Pane;
 use crate::refused::Refused;
 use kinegon::drawing::{self, DraftView};
 use kinegon::editing::{self, Draft, DraftSlider, Edit, PlacedPoint};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What of the mechanism is seen.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct DraftedView {
     /// The part of the screen.
     pub pane: Pane,
@@ -19,7 +19,8 @@ pub struct DraftedView {
 }
 
 /// What is known of a mechanism, complete or not, with its picture.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Drafted {
     /// The picture.
     pub svg: String,
@@ -36,7 +37,8 @@ pub struct Drafted {
 }
 
 /// A point of it.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct DraftedPoint {
     /// Its name.
     pub name: String,
@@ -47,7 +49,8 @@ pub struct DraftedPoint {
 }
 
 /// A slider of it.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct DraftedSlider {
     /// The unit direction of its guide; none where that is not known.
     pub along: Option<[f64; 2]>,

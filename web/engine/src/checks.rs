@@ -10,11 +10,11 @@ use kinegon::drawing::{Overlay, overlay};
 use kinegon::format::html_text;
 use kinegon::words::Language;
 use kinegon::{Message, Problem};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// How a form is checked.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct CheckOptions {
     /// Marking scheme, as for `kinegon check --marks`.
     pub marks: Option<String>,
@@ -28,7 +28,8 @@ pub struct CheckOptions {
 }
 
 /// A form that was checked.
-#[derive(Debug, Default, Serialize, JsonSchema)]
+#[derive(Debug, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Checked {
     /// As `kinegon check --json`; none where no value is understood.
     pub result: Option<CheckResult>,
@@ -47,7 +48,8 @@ pub struct Checked {
 }
 
 /// A value that is not understood.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Fault {
     /// Its name as the form has it.
     pub name: String,
@@ -58,7 +60,8 @@ pub struct Fault {
 }
 
 /// A sheet of paper.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct SheetPicture {
     /// The picture; one unit of it is a millimetre of the sheet.
     pub svg: String,

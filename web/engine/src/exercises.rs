@@ -5,14 +5,14 @@ use kinegon::drawing::Drawing;
 use kinegon::exercise::{Exercise as Found, ExerciseError, Exercises, says};
 use kinegon::format::{self, Text, html_text, svg_with};
 use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, SizeLimit};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Most exercises of a seed, as the program has it.
 const MOST: usize = 1000;
 
 /// How exercises are written, as the options of `kinegon exercise`; what is not given is the scene's.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct ExerciseOptions {
     /// The sheet, as `a4-landscape`; none for A4, or A3 where few variants can be drawn well on A4.
     pub page: Option<String>,
@@ -25,7 +25,8 @@ pub struct ExerciseOptions {
 }
 
 /// An exercise with its files.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Exercise {
     /// Its scene: scene.json.
     pub text: String,

@@ -9,14 +9,14 @@ use kinegon::quantity::step_pencil;
 use kinegon::scene::{LanguageName, SizeLimit};
 use kinegon::words::{Language, Wording};
 use kinegon::{Error, Order, Problem};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Most numbers of a table: more do not fit into a page's memory.
 const MOST_NUMBERS: usize = 10_000_000;
 
 /// A file as the program writes it.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct FileRequest {
     /// What kind of file.
     pub format: Format,
@@ -25,7 +25,8 @@ pub struct FileRequest {
 }
 
 /// A kind of file: `outlines` is SVG without letters, for a canvas that makes a PNG of it; `csv` is the table of the motion, `json` the result, `steps` the text of the construction.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Format {
     Svg,
@@ -38,7 +39,8 @@ pub enum Format {
 }
 
 /// What is drawn.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Subject {
     /// The figure, or its work sheet.
@@ -63,7 +65,8 @@ pub enum Subject {
 }
 
 /// A sheet.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum SheetName {
     Figure,
@@ -71,7 +74,8 @@ pub enum SheetName {
 }
 
 /// What is drawn over the cycle of the first drive, by names of quantities, points, vectors.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum OverCycle {
     /// Quantities over the drive.
@@ -85,7 +89,7 @@ pub enum OverCycle {
         path: Vec<String>,
         /// Whether the paths go on beyond limits of the drive.
         #[serde(default)]
-        #[schemars(skip_serializing_if = "std::ops::Not::not")]
+        #[cfg_attr(feature = "types", schemars(skip_serializing_if = "std::ops::Not::not"))]
         beyond_limits: bool,
     },
     /// Ways of the tips of vectors.
@@ -123,8 +127,8 @@ fn thinned(way: &[(f64, Point)]) -> Vec<[f64; 3]> {
 }
 
 /// What can be drawn over the cycle.
-#[derive(Debug, Serialize, JsonSchema)]
-#[schemars(rename = "Curves")]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema), schemars(rename = "Curves"))]
 pub struct Drawn {
     /// The sheet.
     pub svg: String,
@@ -141,7 +145,8 @@ pub struct Drawn {
 }
 
 /// Where the values of the drive are in graphs one above the other.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct DriveAxis {
     /// The value at the left edge of the graphs, in degrees or units of length.
     pub low: f64,

@@ -5,12 +5,12 @@ use kinegon::check::{AnswerKey, FormBox, Measured, form_boxes, further_boxes, sh
 use kinegon::drawing::SheetLabels;
 use kinegon::format::html_text;
 use kinegon::{Sheet, Solution};
-use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// The form of a scene.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Form {
     /// Its boxes in the order of the construction; behind them those of further values that a filled form has.
     pub rows: Vec<FormRow>,
@@ -25,7 +25,8 @@ pub struct Form {
 }
 
 /// A box of the form of measured values.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct FormRow {
     /// The name under which its value stands in the form file.
     pub name: String,
@@ -54,7 +55,8 @@ pub struct FormRow {
 }
 
 /// A point of a plan.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct PlanPoint {
     /// The name under which its place stands in the form file.
     pub name: String,

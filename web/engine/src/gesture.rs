@@ -10,11 +10,11 @@ use kinegon::scene::LanguageName;
 use kinegon::text::Untrusted;
 use kinegon::words::Language;
 use kinegon::{Solution, geometry};
-use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// What is taken hold of.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum Grab {
     /// A joint, to move the mechanism: the first drive that moves it follows.
@@ -42,9 +42,9 @@ pub enum Grab {
 }
 
 /// Where to.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema), schemars(rename = "Pull"))]
 #[serde(untagged)]
-#[schemars(rename = "Pull")]
 pub enum To {
     /// A place on the sheet.
     Place {

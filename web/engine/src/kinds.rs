@@ -1,8 +1,8 @@
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A starting scene.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Kind {
     /// Its name, as `kinegon new` has it.
     pub name: &'static str,

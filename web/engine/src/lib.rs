@@ -29,12 +29,12 @@ mod photo;
 mod photo_answers;
 mod picture;
 mod refused;
-#[cfg(all(feature = "workbench", not(target_arch = "wasm32")))]
+#[cfg(feature = "types")]
 mod schema;
 #[cfg(feature = "workbench")]
 mod workbench;
 
-#[cfg(all(feature = "workbench", not(target_arch = "wasm32")))]
+#[cfg(feature = "types")]
 pub use schema::schema;
 
 use desk::Desk;
@@ -44,10 +44,11 @@ use kinegon::words::Language;
 use refused::Refused;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+#[cfg(target_arch = "wasm32")]
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The engine: it keeps the last scene solved.
-#[wasm_bindgen]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen)]
 #[derive(Default)]
 pub struct Engine {
     desk: Desk,
@@ -56,10 +57,10 @@ pub struct Engine {
     own: workbench::Own,
 }
 
-#[wasm_bindgen]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen)]
 impl Engine {
     /// An engine without a scene.
-    #[wasm_bindgen(constructor)]
+    #[cfg_attr(target_arch = "wasm32", wasm_bindgen(constructor))]
     #[must_use]
     pub fn new() -> Engine {
         Engine::default()
@@ -124,7 +125,7 @@ impl Engine {
     ///
     /// # Errors
     /// A [`Refused`] as JSON.
-    #[wasm_bindgen(js_name = drop)]
+    #[cfg_attr(target_arch = "wasm32", wasm_bindgen(js_name = drop))]
     pub fn let_go(&mut self) -> Result<String, String> {
         let gesture = self.gesture.take().ok_or_else(nothing_held);
         plain(self.desk.language(), gesture.and_then(|gesture| gesture.let_go(&mut self.desk)))

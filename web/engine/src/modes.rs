@@ -3,11 +3,11 @@ use crate::refused::Refused;
 use kinegon::position::counted_poses;
 use kinegon::words::{Language, Wording};
 use kinegon::{editing, format};
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A point of the scene in its own coordinates.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Place {
     /// Its name.
     pub name: String,
@@ -16,7 +16,8 @@ pub struct Place {
 }
 
 /// A way to assemble the scene.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Mode {
     /// Its number, as `kinegon modes` counts.
     pub number: usize,

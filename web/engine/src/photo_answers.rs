@@ -1,11 +1,11 @@
 use kinegon::photo::Refusal;
 use kinegon::words::Language;
 use kinegon::{Sheet, check};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What is read from a photograph: one of both.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct PhotoRead {
     /// The sheet in it.
     pub photo: Option<Photo>,
@@ -14,7 +14,8 @@ pub struct PhotoRead {
 }
 
 /// Why no sheet is read from a photograph.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct PhotoRefused {
     /// What is wrong.
     pub message: String,
@@ -30,7 +31,8 @@ impl PhotoRefused {
 }
 
 /// A sheet in a photograph. Places in the picture are in pixels from its upper left corner, y down, after `turn`.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Photo {
     /// The exercise or scene that the sheet is of, as its code has it.
     pub name: String,
@@ -53,7 +55,8 @@ pub struct Photo {
 }
 
 /// The right plan over a photograph.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct PhotoPlan {
     /// Of which plan.
     pub plan: Sheet,
@@ -66,7 +69,8 @@ pub struct PhotoPlan {
 }
 
 /// A point of the right plan in the picture.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct PhotoPoint {
     /// The name under which its place stands in the form file.
     pub name: String,
@@ -77,7 +81,8 @@ pub struct PhotoPoint {
 }
 
 /// A point that pencil lines show: a proposal, as lines may mislead.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Proposed {
     /// Of which plan.
     pub plan: Sheet,
@@ -88,7 +93,8 @@ pub struct Proposed {
 }
 
 /// A place that was tapped, or is proposed.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct Tapped {
     /// In mm of paper from the printed origin, x right, y up.
     pub at: [f64; 2],
@@ -103,8 +109,8 @@ pub struct Tapped {
 }
 
 /// A point of a student's plan.
-#[derive(Debug, Deserialize, JsonSchema)]
-#[schemars(rename = "MarkedPoint")]
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema), schemars(rename = "MarkedPoint"))]
 pub struct PlacedPoint {
     /// Of which plan.
     pub plan: Sheet,
@@ -117,7 +123,8 @@ pub struct PlacedPoint {
 }
 
 /// How a point of a student's plan stands.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema))]
 pub struct PointVerdict {
     /// Of which plan.
     pub plan: Sheet,

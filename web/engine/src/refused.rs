@@ -1,7 +1,6 @@
 use kinegon::scene::SceneError;
 use kinegon::words::Language;
 use kinegon::{Error, Message, Problem};
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Why a text is not understood or a scene gives no result, before it is told in a language.
@@ -22,8 +21,8 @@ struct Placed {
 }
 
 /// Why a text is not understood or a scene gives no result.
-#[derive(Debug, Serialize, JsonSchema)]
-#[schemars(rename = "Refused")]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(schemars::JsonSchema), schemars(rename = "Refused"))]
 pub struct Told {
     /// What is wrong.
     pub message: String,

@@ -10,6 +10,7 @@ use kinegon::exercise::{self, Exercise};
 use kinegon::format::pdf_pages;
 use kinegon::scene::SceneError;
 use kinegon::{Sheet, check};
+#[cfg(target_arch = "wasm32")]
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// What is kept for it.
@@ -20,7 +21,7 @@ pub struct Own {
     board: board::Kept,
 }
 
-#[wasm_bindgen]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen)]
 impl Engine {
     /// The starting scenes.
     #[must_use]
@@ -89,7 +90,7 @@ impl Engine {
 }
 
 /// A mechanism that is being put together.
-#[wasm_bindgen]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen)]
 impl Engine {
     /// What is known of a scene, complete or not, with its picture.
     ///
@@ -125,7 +126,7 @@ impl Engine {
 }
 
 /// The drawing board.
-#[wasm_bindgen]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen)]
 impl Engine {
     /// A drawing on its board; of no text an empty one.
     ///
@@ -201,7 +202,7 @@ impl Engine {
 }
 
 /// The student's way.
-#[wasm_bindgen]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen)]
 impl Engine {
     /// The form of a scene, with boxes for all values of a filled form, which may be empty.
     ///
@@ -268,7 +269,7 @@ impl Engine {
 }
 
 /// A photograph of the student's drawing.
-#[wasm_bindgen]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen)]
 impl Engine {
     /// The sheet in a photograph, by its grey pixels row by row; it is kept until the next one. `name` is that of the exercise,
     /// where there is one.
