@@ -1,4 +1,4 @@
-"""Kinegon's own times, from `cargo bench --bench speed`."""
+"""Kinegon's own times, from `cargo bench -p kinegon-benches`."""
 
 import pathlib
 import re
@@ -42,7 +42,7 @@ def parsed(text):
 
 def measure():
     """Rows of the table: job, who, nanoseconds."""
-    command = ["cargo", "bench", "--quiet", "--locked", "--bench", "speed"]
+    command = ["cargo", "bench", "--quiet", "--locked", "-p", "kinegon-benches", "--bench", "speed"]
     names = sorted({path.split("/")[0] for _, _, path, _ in BENCHES})
     done = subprocess.run([*command, "--", *names], cwd=ROOT, check=True, capture_output=True, text=True)
     times = parsed(done.stdout)

@@ -1,4 +1,4 @@
-//! Times of the stages: `cargo bench`. Times differ between machines; quote ratios of one run, as they stand at the end.
+//! Times of the stages: `cargo bench -p kinegon-benches`. Times differ between machines; quote ratios of one run, as they stand at the end.
 
 mod by_hand;
 mod by_hand_together;
@@ -42,7 +42,7 @@ const FIGURE_2: &str = include_str!("../../examples/figure-2.json");
 fn main() {
     divan::main();
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    // Some benches, which have been named, need no ratios; as a test, which `cargo test --bench speed` asks for, each runs once.
+    // Some benches, which have been named, need no ratios; as a test, which `cargo test -p kinegon-benches --bench speed` asks for, each runs once.
     let repeats = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["--bench"] => Repeats::Measured,
         [] => Repeats::Once,

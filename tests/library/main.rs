@@ -83,6 +83,7 @@ mod drafts;
 mod drawing;
 mod driven_cycles;
 mod driven_sliders;
+mod earlier;
 mod editing;
 mod error_bounds;
 mod films;
