@@ -173,7 +173,6 @@ fn walk<const WHICH: usize>(walker: &mut Walker<Many>, values: &[f64]) {
 }
 
 /// 1 280 000 positions of the paper's mechanism with the rates of its links, in 64 pieces, on one core and on all.
-#[cfg(feature = "parallel")]
 #[divan::bench(args = [false, true])]
 fn batch_on_all_cores(bencher: Bencher, all: bool) {
     use rayon::prelude::*;
@@ -200,7 +199,6 @@ fn sweep_100_000(bencher: Bencher) {
     sweep(bencher, |sweep| sweep.rows(0..sweep.steps.count()));
 }
 
-#[cfg(feature = "parallel")]
 #[divan::bench]
 fn sweep_100_000_on_all_cores(bencher: Bencher) {
     sweep(bencher, |sweep| sweep.rows_on_all_cores(0..sweep.steps.count()));
@@ -281,7 +279,6 @@ fn scene_to_svg(bencher: Bencher, which: &str) {
 }
 
 /// A drawing to PDF.
-#[cfg(feature = "pdf")]
 #[divan::bench]
 fn drawing_to_pdf(bencher: Bencher) {
     let solution = solved(FIGURE_2);
@@ -297,7 +294,6 @@ fn drawing_to_tikz(bencher: Bencher) {
 }
 
 /// A drawing to PNG at so many dots per inch; 100 give 1169 by 827 pixels.
-#[cfg(feature = "png")]
 #[divan::bench(args = [100.0, 150.0])]
 fn drawing_to_png(bencher: Bencher, dpi: f64) {
     let solution = solved(FIGURE_2);
