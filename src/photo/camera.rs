@@ -56,9 +56,8 @@ impl Camera {
 
     /// Where a place on the sheet, in mm, is in space; a bent sheet keeps its lengths to third order.
     fn in_space(&self, paper: Point) -> Vector3<f64> {
-        let at = paper.coords - self.middle;
         let [a, b, c] = self.bend;
-        let (x, y) = (at.x / self.half, at.y / self.half);
+        let (x, y) = ((paper.x - self.middle.x) / self.half, (paper.y - self.middle.y) / self.half);
         let height = a * x * x + b * x * y + c * y * y;
         // Along each axis of the bend a slope s shortens the way by s²/2 per length: (2 λ u)² / 2, summed up.
         let tilt = 0.5 * libm::atan2(b, a - c);
@@ -68,17 +67,23 @@ impl Camera {
         let (u, v) = (x * cosine + y * sine, y * cosine - x * sine);
         let shortened = |strength: f64, u: f64| u - 2.0 / 3.0 * (strength / self.half).powi(2) * u.powi(3);
         let (u, v) = (shortened(mean + half, u), shortened(mean - half, v));
-        let flat = Vector::new(u * cosine - v * sine, u * sine + v * cosine) * self.half;
-        self.turn * Vector3::new(flat.x, flat.y, height) + self.place
+        let (x, y) = ((u * cosine - v * sine) * self.half, (u * sine + v * cosine) * self.half);
+        let Camera { turn, place, .. } = self;
+        Vector3::new(
+            turn.m11 * x + turn.m12 * y + turn.m13 * height + place.x,
+            turn.m21 * x + turn.m22 * y + turn.m23 * height + place.y,
+            turn.m31 * x + turn.m32 * y + turn.m33 * height + place.z,
+        )
     }
 
     /// Where a place on the sheet, in mm, is in the picture.
     pub(super) fn pixel(&self, paper: Point) -> Point {
         let at = self.in_space(paper);
-        let plane = Vector::new(at.x / at.z, at.y / at.z) * self.focal;
-        let r = (plane / self.reach).norm_squared();
+        let (x, y) = (at.x / at.z * self.focal, at.y / at.z * self.focal);
+        let r = (x / self.reach).powi(2) + (y / self.reach).powi(2);
         let [k1, k2] = self.distortion;
-        Point::from(self.axis + plane * (1.0 + r * (k1 + r * k2)))
+        let farther = 1.0 + r * (k1 + r * k2);
+        Point::new(self.axis.x + x * farther, self.axis.y + y * farther)
     }
 
     /// How places in the picture change with places on the sheet, in pixels per mm.
@@ -235,7 +240,8 @@ fn supposed(camera: &Camera) -> Column {
 
 impl Sight {
     fn expected(&self, camera: &Camera) -> Point {
-        camera.pixel(self.paper + self.outwards * camera.spread)
+        let (paper, outwards) = (self.paper, self.outwards);
+        camera.pixel(Point::new(paper.x + outwards.x * camera.spread, paper.y + outwards.y * camera.spread))
     }
 
     fn deviation(&self, camera: &Camera) -> f64 {
@@ -249,21 +255,29 @@ fn equations(camera: &Camera, sights: &[Sight]) -> (f64, Square, Column) {
     let changed = camera.beside(STEP);
     let off = supposed(camera);
     let mut cost = off.norm_squared();
-    let mut matrix = Square::from_diagonal(&Column::from_fn(|i, _| BEFORE[i].powi(-2)));
-    let mut right = Column::from_fn(|i, _| -off[i] / BEFORE[i]);
+    // The lower triangle.
+    let mut matrix: [[f64; UNKNOWNS]; UNKNOWNS] =
+        std::array::from_fn(|i| std::array::from_fn(|j| if i == j { BEFORE[i].powi(-2) } else { 0.0 }));
+    let mut right: [f64; UNKNOWNS] = std::array::from_fn(|i| -off[i] / BEFORE[i]);
     for sight in sights {
         let deviation = sight.deviation(camera);
         let residual = (sight.corner.at - sight.expected(camera)) / deviation;
         let size = residual.norm();
         let weight = if size > FAR { FAR / size } else { 1.0 };
         cost += if size > FAR { FAR * (2.0 * size - FAR) } else { size * size };
-        let slopes =
-            changed.each_ref().map(|[up, down]| (sight.expected(up) - sight.expected(down)) / (2.0 * STEP * deviation));
-        let slopes = Slopes::from_columns(&slopes);
-        matrix += slopes.tr_mul(&slopes) * weight;
-        right += slopes.tr_mul(&residual) * weight;
+        let slopes = changed.each_ref().map(|[up, down]| {
+            let (up, down) = (sight.expected(up), sight.expected(down));
+            let step = 2.0 * STEP * deviation;
+            [(up.x - down.x) / step, (up.y - down.y) / step]
+        });
+        for (i, [x, y]) in slopes.iter().enumerate() {
+            for (sum, [u, v]) in matrix[i].iter_mut().zip(&slopes[..=i]) {
+                *sum += (x * u + y * v) * weight;
+            }
+            right[i] += (x * residual.x + y * residual.y) * weight;
+        }
     }
-    (cost, matrix, right)
+    (cost, Square::from_fn(|i, j| matrix[i.max(j)][i.min(j)]), Column::from(right))
 }
 
 /// Steps of Levenberg (1944) and Marquardt (1963) until they no longer help: the sum of squares, and the camera.

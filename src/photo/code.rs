@@ -218,14 +218,19 @@ impl Seen {
 
     /// The weights by which the brightness round modules tells best whether they are dark.
     fn weights(&self, modules: impl Iterator<Item = (i64, i64, bool)>, small: f64) -> Option<SVector<f64, INPUTS>> {
-        let mut matrix = SMatrix::<f64, INPUTS, INPUTS>::zeros();
+        // The lower triangle.
+        let mut matrix = [[0.0; INPUTS]; INPUTS];
         let mut right = SVector::<f64, INPUTS>::zeros();
         for (x, y, is_dark) in modules {
             let round = self.round(x, y);
-            matrix.syger(1.0, &round, &round, 1.0);
+            for (i, at) in round.iter().enumerate() {
+                for (sum, other) in matrix[i].iter_mut().zip(&round.as_slice()[..=i]) {
+                    *sum += at * other;
+                }
+            }
             right += round * if is_dark { -1.0 } else { 1.0 };
         }
-        matrix.fill_upper_triangle_with_lower_triangle();
+        let mut matrix = SMatrix::<f64, INPUTS, INPUTS>::from_fn(|i, j| matrix[i.max(j)][i.min(j)]);
         // Weights stay small where the modules leave them open.
         let usual = small * matrix.trace() / INPUTS as f64;
         matrix += SMatrix::identity() * usual;

@@ -5,7 +5,7 @@ use super::squares::squares;
 use crate::drawing::markers::{CELLS, CODES, INNER, pages, places};
 use crate::geometry::Point;
 use crate::scene::Page;
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, SMatrix};
 
 /// Longer side of the picture in which markers are looked for, in pixels; their edges are found in the whole one.
 const WORKING: usize = 1700;
@@ -244,18 +244,21 @@ impl Homography {
             return None;
         }
         let (from, to) = (scaling(pairs.iter().map(|pair| pair.0))?, scaling(pairs.iter().map(|pair| pair.1))?);
-        let mut normal = SMatrix::<f64, 9, 9>::zeros();
+        let mut normal = [[0.0; 9]; 9];
         for (a, b) in pairs {
             let (a, b) = (Homography(from).at(*a), Homography(to).at(*b));
             for row in [
                 [a.x, a.y, 1.0, 0.0, 0.0, 0.0, -b.x * a.x, -b.x * a.y, -b.x],
                 [0.0, 0.0, 0.0, a.x, a.y, 1.0, -b.y * a.x, -b.y * a.y, -b.y],
             ] {
-                let row = SVector::from(row);
-                normal += row * row.transpose();
+                for (sums, own) in normal.iter_mut().zip(&row) {
+                    for (sum, other) in sums.iter_mut().zip(&row) {
+                        *sum += own * other;
+                    }
+                }
             }
         }
-        let eigen = normal.symmetric_eigen();
+        let eigen = SMatrix::<f64, 9, 9>::from(normal).symmetric_eigen();
         let mut order: Vec<usize> = (0..9).collect();
         order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
         // A second solution beside the first: the places are in line.
@@ -268,8 +271,9 @@ impl Homography {
     }
 
     pub(super) fn at(&self, point: Point) -> Point {
-        let image = self.0 * Vector3::new(point.x, point.y, 1.0);
-        Point::new(image.x / image.z, image.y / image.z)
+        let (map, x, y) = (&self.0, point.x, point.y);
+        let far = map.m31 * x + map.m32 * y + map.m33;
+        Point::new((map.m11 * x + map.m12 * y + map.m13) / far, (map.m21 * x + map.m22 * y + map.m23) / far)
     }
 }
 

@@ -41,7 +41,10 @@ impl Stroke {
     /// Its direction, of length one.
     #[must_use]
     pub fn along(&self) -> Vector {
-        (self.ends[1] - self.ends[0]).normalize()
+        let [from, to] = self.ends;
+        let (x, y) = (to.x - from.x, to.y - from.y);
+        let length = (x * x + y * y).sqrt();
+        Vector::new(x / length, y / length)
     }
 
     /// Its length, in mm.

@@ -213,8 +213,10 @@ impl Modes<'_, '_> {
             return true;
         }
         let is_near = apart <= NEIGHBOURS * size && same_turns(mechanism, group, found, assembled, NEAR_TURN);
-        let least = SEEN * closer.rounding(self.index, assembled);
-        is_near && closer.gap_between(self.index, [found, assembled]) <= least.min(CLOSED)
+        is_near && {
+            let least = SEEN * closer.rounding(self.index, assembled);
+            closer.gap_between(self.index, [found, assembled]) <= least.min(CLOSED)
+        }
     }
 
     /// The places of the group's points.

@@ -255,7 +255,7 @@ fn a_picture_shows_its_markers() {
     let page = [297.0, 210.0];
     let svg = with_markers(page, "K1/A4L/1/00000000/V1:100:100/TEST", "");
     let drawn = Page::draw(&svg, page, 12, &Options::default()).printed(&[], 3);
-    let picture = Photograph::random(4, Kind::Flat, page).with_edge(1600);
+    let picture = Photograph::random(4, Kind::Flat, page).with_edge(900);
     let shot = picture.take(Some(&drawn));
     let grey = |mm: [f64; 2]| {
         let [x, y] = shot.truth.pixel(mm).map(|x| x as usize);

@@ -188,7 +188,7 @@ fn what_is_wrong_with_a_picture_is_told() {
     let given = given(8).expect("an exercise");
     let sheet = &given.sheets[0];
     let drawing = drawn(&given.task, None, SKILLS[1], 8, &panels(&sheet.0));
-    let picture = decoded(&photographed(sheet, &drawing, &by_lot(sheet, Kind::Flat, 8, 1800)).jpeg);
+    let picture = decoded(&photographed(sheet, &drawing, &by_lot(sheet, Kind::Flat, 8, 1200)).jpeg);
     let (width, height) = (picture.width(), picture.height());
     let grey = |x: usize, y: usize| picture.grey()[y * width + x];
     assert!(photo::read(&picture, Vec::new).expect("a sheet").is_alone);

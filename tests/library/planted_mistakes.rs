@@ -2,7 +2,7 @@
 
 use crate::examples::mistakes::{clean, row};
 use kinegon::check::Mistake;
-use support::survey::{CLEAN, PLANTED_MISTAKES};
+use support::survey::{ALIKE, CLEAN, PLANTED_MISTAKES};
 
 /// Drawings of each mistake.
 fn drawings() -> usize {
@@ -12,7 +12,7 @@ fn drawings() -> usize {
 #[test]
 fn exact_drawings_show_their_mistake() {
     let (mut planted, mut named) = (0, 0);
-    for mistake in Mistake::all() {
+    for mistake in Mistake::all().step_by(ALIKE.now()) {
         let row = row(mistake, drawings(), [0.0; 2], 11);
         planted += row.planted;
         named += row.named;
@@ -27,7 +27,7 @@ fn pencil_drawings_mostly_show_their_mistake() {
     let (mut planted, mut named) = (0, 0);
     // A pencil hides whether numbers are cut off.
     let seen = Mistake::all().filter(|m| *m != Mistake::Truncated);
-    for mistake in seen.skip(1) {
+    for mistake in seen.skip(1).step_by(ALIKE.now()) {
         let row = row(mistake, drawings(), [0.3; 2], 12);
         planted += row.planted;
         named += row.named;

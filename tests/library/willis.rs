@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use support::faults::faults;
 use support::files;
 use support::random::Random;
+use support::survey::ALIKE;
 
 /// Size of the rows of tables at their usual size, in mm of one em on A4.
 const CAPTION: f64 = 4.0;
@@ -100,7 +101,7 @@ fn trains() -> Vec<(String, Scene)> {
 fn the_table_has_a_place_of_its_own() {
     let mut wrong = Vec::new();
     let (mut beside, mut apart) = (0, 0);
-    for (name, scene) in trains() {
+    for (name, scene) in trains().into_iter().step_by(ALIKE.now()) {
         for (style, page) in [(StyleName::Paper, "a4"), (StyleName::Lecture, "16x9"), (StyleName::Lecture, "a4")] {
             for values in [None, Some(ValuesShown::Shown(None))] {
                 for panels in [vec![Sheet::Scheme, Sheet::Speeds], Sheet::USUAL.to_vec()] {
@@ -146,5 +147,6 @@ fn the_table_has_a_place_of_its_own() {
         }
     }
     assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
-    assert!(beside > 20 && apart > 0, "{beside} beside, {apart} apart");
+    let every = ALIKE.now();
+    assert!(beside * every > 20 && (every > 1 || apart > 0), "{beside} beside, {apart} apart");
 }

@@ -30,7 +30,7 @@ fn taken() -> &'static Taken {
         let of_plans = given.sheets.iter().filter(|sheet| !panels(&sheet.0).is_empty());
         let photos = of_plans.map(|sheet| {
             let drawing = drawn(&given.task, None, SKILLS[1], NUMBER, &panels(&sheet.0));
-            let shot = photographed(sheet, &drawing, &by_lot(sheet, Kind::Flat, NUMBER, 1600));
+            let shot = photographed(sheet, &drawing, &by_lot(sheet, Kind::Flat, NUMBER, 1200));
             (format!("Ana-{}.jpg", sheet.0.number), shot.jpeg)
         });
         Taken { kind: given.task.kind, scene: given.task.text().to_owned(), photos: photos.collect() }
@@ -132,7 +132,7 @@ fn photographs_of_several_exercises_are_a_class() {
     let other = given(NUMBER + 1).expect("an exercise");
     let sheet = other.sheets.iter().rfind(|sheet| !panels(&sheet.0).is_empty()).expect("a sheet for plans");
     let drawing = drawn(&other.task, None, SKILLS[1], NUMBER, &panels(&sheet.0));
-    let jpeg = photographed(sheet, &drawing, &by_lot(sheet, Kind::Flat, NUMBER, 1600)).jpeg;
+    let jpeg = photographed(sheet, &drawing, &by_lot(sheet, Kind::Flat, NUMBER, 1200)).jpeg;
     let first = &taken().photos[0].1;
     // Ana hands in sheets of both exercises, Bo of the other one.
     for (name, bytes) in [("Ana-1.jpg", first), ("Ana-2.jpg", &jpeg), ("Bo.jpg", &jpeg)] {
