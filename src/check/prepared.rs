@@ -192,8 +192,7 @@ impl<'a> Prepared<'a> {
             && !is_coarse(entries)
         {
             let pool = match first == all {
-                true => Site { model: &models[0], key, entries: &entries[..all], other_modes: models.len() - 1 }
-                    .candidates(),
+                true => candidates(models, key, &entries[..all], &values),
                 false => {
                     self.causes(&models.iter().map(|model| model.first(first)).collect::<Vec<_>>(), &values[..first])
                 }
@@ -233,8 +232,7 @@ impl<'a> Prepared<'a> {
         let entries: Vec<Entry> = values.iter().map(|value| value.entry.clone()).collect();
         let scorer = Scorer::new(models, &entries, key.tolerance, &groups);
         let Some(none) = scorer.compare(&[], None) else { return Vec::new() };
-        let site = Site { model: &models[0], key, entries: &entries, other_modes: models.len() - 1 };
-        let mut search = Search::new(site.candidates(), &scorer);
+        let mut search = Search::new(candidates(models, key, &entries, values), &scorer);
         let tried = search.run(none, &off(&scorer, values), key.depth);
         let mut likely: Vec<usize> = tried.iter().take(LIKELY).flat_map(|tried| tried.set.iter().copied()).collect();
         likely.sort_unstable();
@@ -256,6 +254,13 @@ impl<'a> Prepared<'a> {
         }
         measured
     }
+}
+
+/// All mistakes that may have led to the first values of a form, of which these are the verdicts.
+fn candidates(models: &[Model], key: &AnswerKey<'_>, entries: &[Entry], values: &[Judged]) -> Vec<Candidate> {
+    let tolerances: Vec<f64> = values.iter().map(|value| value.tolerance).collect();
+    let site = Site { model: &models[0], key, entries, tolerances: &tolerances, other_modes: models.len() - 1 };
+    site.candidates()
 }
 
 /// The verdicts on the values that somebody has read from a drawing, and the mistakes that explain the values.

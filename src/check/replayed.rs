@@ -52,7 +52,7 @@ impl<'a> Replayed<'a> {
     pub fn new(solution: &'a Solution, scales: PerSheet<f64>) -> Option<Replayed<'a>> {
         let key = AnswerKey::new(solution, None);
         let model = Model::new(&key, solution, scales.map(Some), &[]).ok()?;
-        let site = Site { model: &model, key: &key, entries: &[], other_modes: 0 };
+        let site = Site { model: &model, key: &key, entries: &[], tolerances: &[], other_modes: 0 };
         let candidates = site.candidates();
         let touched: Vec<Vec<Touched>> = candidates.iter().map(|candidate| touched(&model, candidate)).collect();
         let candidates = candidates.into_iter().zip(touched).filter(|(_, touched)| !touched.is_empty()).collect();

@@ -41,8 +41,8 @@ impl<'a> Student<'a> {
     /// a written value first.
     #[must_use]
     pub fn ways(&self, mistake: Mistake) -> Vec<Candidate> {
-        let site =
-            Site { model: &self.models[0], key: self.key, entries: &self.entries, other_modes: self.models.len() - 1 };
+        let (model, entries, other_modes) = (&self.models[0], &self.entries, self.models.len() - 1);
+        let site = Site { model, key: self.key, entries, tolerances: &[], other_modes };
         let mut all = site.of(mistake);
         all.retain(|c| c.reinterpreted.is_empty() || mistake == Mistake::Truncated);
         all

@@ -44,7 +44,7 @@ mod tables;
 pub use message::shown;
 
 use crate::text;
-use clap::error::ContextValue;
+use clap::error::{ContextKind, ContextValue};
 use clap::{FromArgMatches, Parser, Subcommand};
 use colorchoice_clap::Color;
 use message::Failure;
@@ -111,10 +111,10 @@ pub fn run() -> ExitCode {
 pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     help::asked_color(&arguments).write_global();
-    let parsed = help::command().try_get_matches_from(arguments);
+    let parsed = help::command().try_get_matches_from(&arguments);
     let command = match parsed.and_then(|matches| Command::from_arg_matches(&matches)) {
         Ok(command) => command,
-        Err(error) => return refused(error),
+        Err(error) => return refused(with_equals(error, &arguments)),
     };
     command.color.write_global();
     output::survive_size_limits();
@@ -143,6 +143,33 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
             failure.exit_code()
         }
     }
+}
+
+/// Why a command line is not understood; where a word behind an option may be its value, which stands behind `=`, with what to type.
+fn with_equals(mut error: clap::Error, arguments: &[OsString]) -> clap::Error {
+    if error.kind() != clap::error::ErrorKind::UnknownArgument {
+        return error;
+    }
+    let command = help::command();
+    let task = arguments.get(1).and_then(|name| command.find_subcommand(name));
+    let options: Vec<String> = task
+        .into_iter()
+        .flat_map(|task| task.get_arguments())
+        .filter_map(|option| {
+            let long = option.get_long().filter(|_| option.is_require_equals_set())?;
+            Some(format!("--{long}"))
+        })
+        .collect();
+    let tips = arguments.windows(2).filter_map(|pair| {
+        let (option, value) = (pair[0].to_str()?, text::shown(pair[1].to_str()?));
+        let is_value = options.iter().any(|own| own == option) && !value.starts_with('-');
+        is_value.then(|| format!("if {value} is the value of {option}, write {option}={value}").into())
+    });
+    let tips: Vec<clap::builder::StyledStr> = tips.collect();
+    if !tips.is_empty() {
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(tips));
+    }
+    error
 }
 
 /// Shows help, or why a command line is not understood, without what a terminal would obey in its arguments.

@@ -7,6 +7,7 @@ use crate::quantity::{Pencil, QuantityKind, QuantityRequest};
 use crate::scene::{Along, At, GivenBy, On, Scene, Shape};
 use crate::sheet::{Order, Scales, Sheet};
 use crate::words::{Medium, NumberStyle, SlidePart, SliderNames, Wording, under};
+use indexmap::IndexMap;
 use serde_json::Value;
 
 impl Solution {
@@ -98,6 +99,32 @@ fn listed(items: &[String]) -> String {
     items.join(", ")
 }
 
+/// Two points as one writes the line between them.
+fn line(from: &str, to: &str) -> String {
+    let between = if [from, to].iter().all(|name| name.chars().count() == 1) { "" } else { " " };
+    format!("{from}{between}{to}")
+}
+
+/// The distances by which the points of a link are found from one another, where it has their coordinates: each from the first two.
+fn distances(places: &IndexMap<String, [f64; 2]>) -> Vec<(String, f64)> {
+    let points: Vec<(&String, &[f64; 2])> = places.iter().collect();
+    let pairs = (1..points.len()).flat_map(|to| (0..to.min(2)).map(move |from| (from, to)));
+    let distance = |(from, to): (usize, usize)| {
+        let ((a, [x, y]), (b, [u, v])) = (points[from], points[to]);
+        (line(a, b), libm::hypot(u - x, v - y))
+    };
+    pairs.map(distance).collect()
+}
+
+/// The line from the first to the second point of a link whose coordinates do not have it as their axis, with the degrees by which it is
+/// turned from that axis: nobody sees the axis on a sheet.
+fn first_line(shape: &Shape) -> Option<(String, f64)> {
+    let Shape::Local(places) = shape else { return None };
+    let ((a, [x, y]), (b, [u, v])) = (places.get_index(0)?, places.get_index(1)?);
+    let turned = libm::atan2(v - y, u - x).to_degrees();
+    (turned != 0.0).then(|| (line(a, b), turned))
+}
+
 pub(super) struct Teller<'a> {
     pub scene: &'a Scene,
     pub words: &'a Wording,
@@ -133,12 +160,13 @@ impl Teller<'_> {
         let unit = self.unit(QuantityKind::Length);
         let fixed = self.scene.coordinates.iter().map(|(name, place)| format!("{name} {} {unit}", self.pair(*place)));
         let lengths = self.scene.links.values().flat_map(|link| match &link.shape {
-            Shape::Lengths(lengths) => lengths.as_slice(),
-            _ => &[],
+            Shape::Lengths(lengths) => {
+                lengths.iter().map(|length| (length.key.replace('-', " "), length.value)).collect()
+            }
+            Shape::Local(places) => distances(places),
+            Shape::Bare => Vec::new(),
         });
-        let lengths =
-            lengths.map(|length| self.value(&length.key.replace('-', " "), length.value, QuantityKind::Length));
-        fixed.chain(lengths).collect()
+        fixed.chain(lengths.map(|(name, length)| self.value(&name, length, QuantityKind::Length))).collect()
     }
 
     /// Guides on the ground and those along two points of a link.
@@ -190,7 +218,10 @@ impl Teller<'_> {
         let mut told = Vec::new();
         for (name, link) in &self.scene.links {
             let angle = link.angle_deg.or(link.drive.and_then(|d| d.angle_deg));
-            told.extend(angle.map(|x| self.value(&format!("φ_{{{name}}}"), x, QuantityKind::Angle)));
+            told.extend(angle.map(|axis| {
+                let (of, turned) = first_line(&link.shape).unwrap_or_else(|| (name.clone(), 0.0));
+                self.value(&format!("φ_{{{of}}}"), axis + turned, QuantityKind::Angle)
+            }));
             if let Some(drive) = &link.drive {
                 let [omega, alpha] = self.turning(name, drive.omega, drive.alpha);
                 let rpm = file["links"][name]["drive"]["rpm"].as_f64();

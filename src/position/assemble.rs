@@ -1,6 +1,7 @@
 use super::closing::places;
 use super::modes::NoMode;
 use super::nearest::nearest;
+use super::reach::ranges;
 use super::says;
 use super::tree::{Count, Listing, Tree, WholeAssembly, counted};
 use super::{Assembly, AssemblyError, Pose};
@@ -140,6 +141,11 @@ pub fn numbered_pose(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<
     Ok(whole.pose(mechanism))
 }
 
+/// Whether it can be assembled as its drives stand.
+pub(super) fn can_be_assembled(mechanism: &Mechanism) -> bool {
+    tree(mechanism, &Near::default()).is_ok_and(|mut tree| Listing::new(&mut tree, LITTLE_WORK).next().is_some())
+}
+
 /// The assemblies of a mechanism whose lengths are of a size to assemble from.
 fn tree<'a>(mechanism: &'a Mechanism, near: &Near) -> Result<Tree<'a>, AssemblyError> {
     let bodies = mechanism.bodies.iter();
@@ -199,7 +205,7 @@ fn no_assembly(whole: &Mechanism, listing: Listing<'_, '_>) -> AssemblyError {
             let mechanism = whole.for_positions();
             let (links, at) = (mechanism.groups[group].link_names(mechanism), given_angles(whole));
             match no_mode {
-                NoMode::Apart(miss) => AssemblyError::NoMode { links, at, miss },
+                NoMode::Apart(miss) => AssemblyError::NoMode { links, at, miss, ranges: ranges(whole) },
                 NoMode::Parallel(link) => AssemblyError::ParallelGuides { links, link },
                 NoMode::NotFound(tried) => AssemblyError::NotFound { links, at, tried },
             }

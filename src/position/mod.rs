@@ -28,6 +28,7 @@ mod modes;
 mod nearest;
 mod platform;
 #[doc(hidden)] // for tests
+mod reach;
 pub mod says;
 mod search;
 mod tree;
@@ -119,6 +120,8 @@ pub enum AssemblyError {
         at: Message,
         /// The distance by which its links fail to meet.
         miss: Message,
+        /// The ranges of the one drive's angle, in degrees, in which the mechanism can be assembled, as far as they are known.
+        ranges: Vec<[f64; 2]>,
     },
     /// The guides of a link's two sliders are parallel: nothing holds it along them.
     ParallelGuides {
@@ -161,13 +164,24 @@ pub enum AssemblyError {
     },
 }
 
+/// A range as it is told: to hundredths of a degree within it.
+fn told([from, to]: &[f64; 2]) -> Message {
+    let [from, to] =
+        [(100.0 * from).ceil(), (100.0 * to).floor()].map(|hundredths| format!("{:.2}", hundredths / 100.0));
+    says::angle_from_to(from, to)
+}
+
 impl AssemblyError {
     /// What is wrong, and what to try.
     #[must_use]
     pub fn problem(&self) -> Problem {
         let (message, hint) = match self {
-            AssemblyError::NoMode { links, at, miss } => {
-                (says::no_mode(links, at.clone(), miss.clone()), says::other_angle_or_lengths())
+            AssemblyError::NoMode { links, at, miss, ranges } => {
+                let hint = match ranges.is_empty() {
+                    true => says::other_angle_or_lengths(),
+                    false => says::angle_within_or_lengths(Message::list(ranges.iter().map(told), ", ")),
+                };
+                (says::no_mode(links, at.clone(), miss.clone()), hint)
             }
             AssemblyError::ParallelGuides { links, link } => (says::parallel_guides(links, link), says::turn_one()),
             AssemblyError::Size { size, is_large } => {

@@ -6,6 +6,8 @@ messages! { "position":
     /// `at` is empty, or where the drives stand.
     no_mode(links, at, miss);
     other_angle_or_lengths;
+    angle_from_to(from, to);
+    angle_within_or_lengths(ranges);
     /// Begins with a space: it stands behind names.
     at_value(quantity, value);
     longer(leg, by);

@@ -1265,6 +1265,8 @@ mechanism-far_origin = der Ursprung liegt {$far} von einem etwa {$size} großen 
 
 position-no_mode = Glieder {$links} lassen sich{$at} nicht zusammensetzen: {$miss}
 position-other_angle_or_lengths = ein anderer Antriebswinkel oder andere Längen
+position-angle_from_to = von {$from}° bis {$to}°
+position-angle_within_or_lengths = ein Antriebswinkel {$ranges}, wo es zusammengesetzt werden kann, oder andere Längen
 position-at_value = {" "}bei {$quantity} = {$value}
 position-longer = wenn alles Übrige geschlossen ist, müsste {$leg} um {$by} länger sein
 position-shorter = wenn alles Übrige geschlossen ist, müsste {$leg} um {$by} kürzer sein

@@ -1296,6 +1296,8 @@ mechanism-far_origin = the origin lies {$far} from a mechanism of about {$size}:
 # `at` is empty, or where the drives stand.
 position-no_mode = links {$links} cannot be assembled{$at}: {$miss}
 position-other_angle_or_lengths = another drive angle, or other lengths
+position-angle_from_to = from {$from}° to {$to}°
+position-angle_within_or_lengths = a drive angle {$ranges}, where it can be assembled, or other lengths
 # Begins with a space: it stands behind names.
 position-at_value = {" "}at {$quantity} = {$value}
 position-longer = with everything else closed, {$leg} would have to be {$by} longer

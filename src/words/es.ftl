@@ -1263,6 +1263,8 @@ mechanism-far_origin = el origen está a {$far} de un mecanismo de unos {$size}:
 
 position-no_mode = los eslabones {$links} no se pueden montar{$at}: {$miss}
 position-other_angle_or_lengths = otro ángulo del accionamiento, u otras longitudes
+position-angle_from_to = de {$from}° a {$to}°
+position-angle_within_or_lengths = un ángulo del accionamiento {$ranges}, donde se puede ensamblar, u otras longitudes
 position-at_value = {" "}con {$quantity} = {$value}
 position-longer = con todo lo demás cerrado, {$leg} tendría que ser {$by} más larga
 position-shorter = con todo lo demás cerrado, {$leg} tendría que ser {$by} más corta

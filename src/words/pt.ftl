@@ -1265,6 +1265,8 @@ mechanism-far_origin = a origem está a {$far} de um mecanismo de cerca de {$siz
 
 position-no_mode = os elos {$links} não podem ser montados{$at}: {$miss}
 position-other_angle_or_lengths = outro ângulo do acionamento, ou outros comprimentos
+position-angle_from_to = de {$from}° a {$to}°
+position-angle_within_or_lengths = um ângulo do acionamento {$ranges}, onde pode ser montado, ou outros comprimentos
 position-at_value = {" "}com {$quantity} = {$value}
 position-longer = com todo o resto fechado, {$leg} teria de medir {$by} a mais
 position-shorter = com todo o resto fechado, {$leg} teria de medir {$by} a menos

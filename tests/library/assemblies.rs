@@ -413,3 +413,47 @@ fn an_assembly_that_rounding_has_lost_is_not_proved() {
     let result = solution.whole_result().expect("numbers");
     assert!(!result.groups[0].proved && result.links["2"].omega_error.is_infinite());
 }
+
+/// Where a four-bar's drive could stand that does not let it close: by the law of cosines, the crank's end is as far from the other pivot as the
+/// coupler and the rocker reach together, or as near as they reach at least.
+#[test]
+fn a_four_bar_that_does_not_close_says_where_it_would() {
+    for ([crank, coupler, rocker, ground], drive) in [
+        ([100.0, 40.0, 50.0, 160.0], 90.0),
+        ([100.0, 40.0, 50.0, 160.0], 200.0),
+        ([60.0, 140.0, 50.0, 90.0], 10.0),
+        ([100.0, 120.0, 30.0, 160.0], 0.0),
+    ] {
+        let scene = json!({
+            "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [ground, 0] },
+            "links": {
+                "1": { "points": ["A", "B"], "lengths": { "AB": crank }, "drive": { "angle": drive, "omega": 10 } },
+                "2": { "points": ["B", "C"], "lengths": { "BC": coupler } },
+                "3": { "points": ["D", "C"], "lengths": { "CD": rocker } } },
+        });
+        let problem =
+            kinegon::solve(&Scene::read(&scene.to_string()).expect("a scene")).expect_err("it does not close");
+        let hint = problem.problem().hint.expect("a hint").to_string();
+        let at = |apart: f64| {
+            let cosine = (crank * crank + ground * ground - apart * apart) / (2.0 * crank * ground);
+            (-1.0..=1.0).contains(&cosine).then(|| libm::acos(cosine).to_degrees())
+        };
+        let (nearest, farthest) = (at(f64::abs(coupler - rocker)), at(coupler + rocker));
+        let ranges = match (nearest, farthest) {
+            (None, Some(most)) => vec![[-most, most]],
+            (Some(least), None) => vec![[least, 360.0 - least]],
+            (Some(least), Some(most)) => vec![[least, most], [360.0 - most, 360.0 - least]],
+            (None, None) => panic!("it goes all round"),
+        };
+        let numbers: Vec<f64> =
+            hint.split(|c: char| !(c.is_ascii_digit() || "-.−".contains(c))).filter_map(|n| n.parse().ok()).collect();
+        let expected = ranges.concat();
+        assert_eq!(numbers.len(), expected.len(), "{hint}");
+        for (pair, range) in numbers.chunks(2).zip(&ranges) {
+            assert!(
+                (0.0..0.011).contains(&(pair[0] - range[0])) && (0.0..0.011).contains(&(range[1] - pair[1])),
+                "{hint}: {range:?}"
+            );
+        }
+    }
+}

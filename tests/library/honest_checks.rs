@@ -191,3 +191,38 @@ fn a_point_put_elsewhere_is_not_taken_for_a_bad_hand() {
     // The rays to c are steps 3 and 4, and c is marked in step 5.
     assert!((3..=5).contains(&finding.candidate.step), "{}", finding.candidate.step);
 }
+
+/// A sheet with one rate whose sense is wrong and whose size passes: that is what is told, whether the other values are there or not, and however
+/// exactly they are drawn.
+#[test]
+fn what_passes_with_the_other_sign_has_the_wrong_sense() {
+    let is_rate = |name: &str| ["omega(", "alpha(", "v_r(", "a_r("].iter().any(|head| name.starts_with(head));
+    let (mut tried, mut missed) = (0, Vec::new());
+    for name in ["four-bar", "slider-crank", "slotted-lever", "watt-1", "third-class"] {
+        let solution = scene(name);
+        let key = answer_key(&solution, 5);
+        for all in [true, false] {
+            let mut right = drawn(&key, 0.0, 0);
+            right.values.retain(|given| all || is_rate(&given.name));
+            let checked = check(&right, &key).expect("values that are understood");
+            for value in checked.values.iter().filter(|value| is_rate(&value.entry.row)) {
+                for share in [-0.95, -0.4, 0.4, 0.95] {
+                    let (expected, tolerance) = (value.entry.expected, value.tolerance);
+                    let written = -(expected + share * tolerance);
+                    let mut wrong = right.clone();
+                    let given = wrong.values.iter_mut().find(|given| given.name == value.entry.row);
+                    given.expect("it is there").text = format!("{written:+.6}");
+                    let checked = check(&wrong, &key).expect("values that are understood");
+                    let is_off = |own: &&kinegon::check::Judged| own.verdict == Verdict::Off;
+                    if checked.values.iter().filter(is_off).count() == 1 {
+                        tried += 1;
+                        if told(&checked) != [Mistake::WrongSense] {
+                            missed.push(format!("{name} {} {share} {all}: {:?}", value.entry.row, told(&checked)));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(tried > 100 && 100 * missed.len() <= 3 * tried, "{} of {tried}:\n{}", missed.len(), missed.join("\n"));
+}

@@ -610,3 +610,20 @@ fn given_numbers_are_told_as_a_person_writes_them() {
     let long = said.split(|c: char| !c.is_ascii_digit() && c != '.').find(|number| number.len() > 8);
     assert_eq!(long, None, "{said}");
 }
+
+/// A link by coordinates is given by what a ruler and a protractor set: distances, and the angle of a line that stands on the sheet. The crank's
+/// points are 36 and 48 mm apart, at 10° + 53.1301°; P is 60 and 80 mm from B, and 80 and 80 mm from C.
+#[test]
+fn links_by_coordinates_are_given_by_distances_and_the_angle_of_a_line() {
+    let own = solved(
+        r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0], "D": [160, 0] },
+            "links": { "1": { "shape": { "A": [0, 0], "B": [36, 48] }, "drive": { "angle": 10, "omega": 10 } },
+                "2": { "shape": { "B": 0, "C": 140, "P": [60, 80] } }, "3": { "points": ["D", "C"], "lengths": { "CD": 110 } } },
+            "near": { "C": [150, 110] } }"#,
+    );
+    let sheet = said(&own.expect("it moves").drawing_sheets("1")[0]);
+    for part in ["AB = 60 mm", "BC = 140 mm", "BP = 100 mm", "CP = 113.137 mm", "CD = 110 mm", "63.1301°"] {
+        assert!(sheet.replace('\u{a0}', " ").contains(part), "no {part} in {sheet}");
+    }
+    assert!(!sheet.contains("= 10°") && !sheet.contains("=\u{a0}10°"), "{sheet}");
+}

@@ -56,12 +56,21 @@ pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
     });
     let mut found: Vec<Candidate> = taken.collect();
     for (index, entry) in site.entries.iter().enumerate() {
-        let reading = site.model.readings[index].ok();
-        let number = reading.map(|reading| reading.number).filter(|number| site.model.used[number.0]);
-        let number = number.filter(|number| !of_wheels.contains(number));
-        let is_rate = number.is_some_and(|number| matches!(site.number_kind(number), NumberKind::Rate(_)));
-        if is_rate && !entry.is_magnitude {
-            found.push(only_written(site, tell::wrong_sense(entry_symbol(entry)), &[index], -1.0));
+        let number = site.model.readings[index].ok().map(|reading| reading.number);
+        let Some(number) = number.filter(|number| !of_wheels.contains(number)) else { continue };
+        if !matches!(site.number_kind(number), NumberKind::Rate(_)) || entry.is_magnitude {
+            continue;
+        }
+        let mut candidate = only_written(site, tell::wrong_sense(entry_symbol(entry)), &[index], -1.0);
+        // What passes with the other sign has the wrong sense, however exactly the other values are drawn.
+        let off = (entry.value + entry.expected).abs();
+        let passes = site.tolerances.get(index).is_some_and(|tolerance| off <= *tolerance);
+        for meant in candidate.reinterpreted.iter_mut().filter(|_| passes) {
+            meant.rounding = meant.rounding.max(off);
+        }
+        // Of a number that nothing uses it is the same as above.
+        if passes || site.model.used[number.0] {
+            found.push(candidate);
         }
     }
     found

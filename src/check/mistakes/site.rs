@@ -131,6 +131,8 @@ pub(in crate::check) struct Site<'a> {
     pub model: &'a Model,
     pub key: &'a AnswerKey<'a>,
     pub entries: &'a [Entry],
+    /// By entry: how far a value may be off to pass; empty where nothing is judged.
+    pub tolerances: &'a [f64],
     /// Number of other assembly modes.
     pub other_modes: usize,
 }
