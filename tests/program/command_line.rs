@@ -701,3 +701,18 @@ fn curves_keep_what_can_be_reached() {
     let turn = described(include_str!("../../templates/four-bar.json"));
     assert!(turn.starts_with("Over angle(1) from 0° to 360°:"), "{turn}");
 }
+
+/// A value that stands behind `=` and was written behind a space: the message says what to type, wherever the scene stands.
+#[test]
+fn a_value_without_its_equals_sign_is_told_with_it() {
+    for (arguments, tip) in [
+        (["draw", "--centers", "all", "-"], "write --centers=all"),
+        (["draw", "-", "--values", "m"], "write --values=m"),
+        (["draw", "-", "--worksheet", "blank"], "write --worksheet=blank"),
+    ] {
+        let output = with_scene(&arguments, FIGURE_2.as_bytes());
+        let message = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains(tip), "{message}");
+    }
+}
