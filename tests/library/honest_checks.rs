@@ -226,3 +226,52 @@ fn what_passes_with_the_other_sign_has_the_wrong_sense() {
     }
     assert!(tried > 100 && 100 * missed.len() <= 3 * tried, "{} of {tried}:\n{}", missed.len(), missed.join("\n"));
 }
+
+/// A sheet that was drawn, or computed, with the crank at any other angle: one angle explains all of it. An angle taken in radians is told as that.
+#[test]
+fn one_wrong_angle_of_the_crank_explains_a_whole_sheet() {
+    let (mut tried, mut missed) = (0, Vec::new());
+    for name in ["four-bar", "slider-crank", "whitworth"] {
+        let text = files::read(&format!("templates/{name}.json"));
+        let right: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        let own = scene(name);
+        let key = answer_key(&own, 5);
+        let link = own
+            .scene
+            .links
+            .iter()
+            .find(|(_, link)| link.drive.is_some())
+            .map(|(name, _)| name.clone())
+            .expect("a drive");
+        let angle = right["links"][&link]["drive"]["angle"].as_f64().expect("an angle");
+        let others = [23.0, 41.0, 67.0, 143.0, 165.0, 222.0].into_iter().map(|by| angle + by);
+        for (wrong, is_in_radians) in others.map(|wrong| (wrong, false)).chain([(angle.to_degrees() % 360.0, true)]) {
+            let mut scene = right.clone();
+            scene["links"][&link]["drive"]["angle"] = wrong.into();
+            scene["near"] = serde_json::json!({});
+            let poses = [1, 2].into_iter().filter_map(|mode| {
+                let read = kinegon::Scene::read(&scene.to_string()).ok()?;
+                let (mechanism, pose) = kinegon::posed(&read, kinegon::scene::SizeLimit::NUMBERS, Some(mode)).ok()?;
+                Solution::new(read, mechanism, pose, kinegon::Order::Acceleration).ok()
+            });
+            // The assembly that somebody draws who goes by the picture of the right one.
+            let near = |other: &Solution| {
+                let places = own.pose.points.iter().zip(&other.pose.points);
+                places.map(|(a, b)| (a - b).norm_squared()).sum::<f64>()
+            };
+            let Some(drawn_so) = poses.min_by(|a, b| near(a).total_cmp(&near(b))) else { continue };
+            for seed in 0..2 {
+                let measured = drawn(&answer_key(&drawn_so, 5), 0.1, seed);
+                let checked = check(&measured, &key).expect("values that are understood");
+                tried += 1;
+                let best = checked.diagnosis.best.findings.first();
+                let said = best.map(|finding| format!("{:?}", finding.candidate.told)).unwrap_or_default();
+                let is_so = said.to_lowercase().contains("radians") || !is_in_radians;
+                if told(&checked) != [Mistake::CrankAngle] || !is_so {
+                    missed.push(format!("{name} at {wrong}°: {:?}", told(&checked)));
+                }
+            }
+        }
+    }
+    assert!(tried > 30 && 100 * missed.len() <= 5 * tried, "{} of {tried}:\n{}", missed.len(), missed.join("\n"));
+}

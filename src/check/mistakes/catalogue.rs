@@ -305,7 +305,11 @@ macro_rules! catalogue {
             /// The other assembly mode.
             OtherMode "other-mode" 4.0 lengths::other_mode { other_mode() }
             /// The mechanism drawn at another angle of its crank.
-            CrankAngle "crank-angle" 3.0 lengths::crank_angle { crank_angle(link, wrong, right) }
+            CrankAngle "crank-angle" 3.0 lengths::crank_angle {
+                crank_angle(link, wrong, right)
+                /// Its degrees taken for radians.
+                crank_angle_in_radians(link, wrong, right)
+            }
             /// Two numbers swapped.
             Swapped "swapped" 3.0 copying::swapped { swapped(first, second) }
             /// Digits transposed.

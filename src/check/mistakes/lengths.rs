@@ -3,13 +3,15 @@
 
 use super::site::{Candidate, Laid, Site, instead, times};
 use super::told::{Blank, Told, tell};
+use crate::check::entry::Entry;
+use crate::check::model::in_order;
 use crate::construction::{
     Along, Disturbance, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId, Product, ProductKind,
     Reference,
 };
 use crate::geometry::{turn_of_degrees, with_turns};
 use crate::mechanism::{BodyId, Role};
-use crate::position::{Pose, pose};
+use crate::position::{Pose, first_poses, pose};
 use crate::sheet::Sheet;
 
 /// The operations that measure a length between points of a name: index, sheet, number, ends.
@@ -274,19 +276,98 @@ pub(super) fn crank_angle(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for crank in 0..solution.mechanism.bodies.len() {
         let Role::Driver { angle: Some(right), .. } = solution.mechanism.body(BodyId(crank)).role else { continue };
-        for wrong in misread(right) {
-            let mut mechanism = solution.mechanism.clone();
+        let mut mechanism = solution.mechanism.clone();
+        let mut turned = |wrong: f64| {
             if let Role::Driver { angle, .. } = &mut mechanism.bodies[crank].role {
                 *angle = Some(wrong);
             }
-            let Ok(pose) = pose(&mechanism, &solution.scene.near) else { continue };
-            let link = solution.mechanism.body(BodyId(crank)).name.as_str().into();
+            mechanism.clone()
+        };
+        let apart = |a: f64, b: f64| with_turns(a - b, 0.0).abs();
+        let link = || solution.mechanism.body(BodyId(crank)).name.as_str().into();
+        // A calculator that takes the degrees of the scene for radians.
+        let in_radians = with_turns(right.to_degrees(), 0.0);
+        let told = |wrong: f64| {
             let [was, is] = [wrong, right].map(|angle| Blank::Number(format!("{angle:.0}")));
-            let told = tell::crank_angle(link, was, is);
-            found.push(Candidate { edits: in_pose(site, &pose), ..Candidate::at(told, 0) });
+            let is_in_radians =
+                apart(wrong, in_radians) <= TRIED && misread(right).iter().all(|other| apart(wrong, *other) > TRIED);
+            if is_in_radians {
+                tell::crank_angle_in_radians(link(), was, is)
+            } else {
+                tell::crank_angle(link(), was, is)
+            }
+        };
+        let near = &solution.scene.near;
+        for wrong in misread(right).into_iter().chain([in_radians]).filter(|wrong| apart(*wrong, right) > TRIED) {
+            let Ok(pose) = pose(&turned(wrong), near) else { continue };
+            found.push(Candidate { edits: in_pose(site, &pose), ..Candidate::at(told(wrong), 0) });
         }
+        let drawn_at = |wrong: f64| first_poses(&turned(wrong), near, POSES).unwrap_or_default();
+        let fitted = fitted_angle(site, right, drawn_at);
+        found.extend(fitted.map(|(wrong, edits)| Candidate { edits, ..Candidate::at(told(wrong), 0) }));
     }
     found
+}
+
+/// Most assemblies at each angle that is tried.
+const POSES: usize = 4;
+/// Degrees from one angle that is tried to the next, and to which the best one is found.
+const TRIED: f64 = 1.0;
+const FOUND: f64 = 0.05;
+/// Fewest values that one fitted angle must explain: with fewer, too many angles would.
+const EXPLAINED: usize = 3;
+/// Values are explained within so many times their tolerance, which is another one in another position.
+const NEAR: f64 = 2.5;
+
+/// The angle of a crank that explains most values of a form in which most are off, with the drawing at it; none where there is none, or most are right.
+fn fitted_angle(
+    site: &Site<'_>,
+    right: f64,
+    mut drawn_at: impl FnMut(f64) -> Vec<Pose>,
+) -> Option<(f64, Vec<Disturbance>)> {
+    let (entries, tolerances) = (site.entries, site.tolerances);
+    let is_off = |(entry, tolerance): &(&Entry, &f64)| (entry.value - entry.expected).abs() > **tolerance;
+    let count = entries.iter().zip(tolerances).filter(is_off).count();
+    if count < EXPLAINED || 2 * count < entries.len() || tolerances.len() < entries.len() {
+        return None;
+    }
+    // Deviations in tolerances, those of values that grow in proportion.
+    let deviations = |edits: &[Disturbance]| {
+        let predicted = site.model.read(&site.model.replay(&in_order(edits.iter())));
+        let deviation = move |index: usize| {
+            let (entry, predicted) = (&entries[index], predicted[index]);
+            let is_size = entry.is_magnitude || site.model.readings[index].is_ok_and(|reading| reading.is_size());
+            let off = if is_size { entry.value.abs() - predicted.abs() } else { entry.value - predicted };
+            let grown = (predicted.abs() / entry.expected.abs().max(f64::MIN_POSITIVE)).max(1.0);
+            let deviation = off.abs() / (tolerances[index] * grown).max(entry.rounding).max(f64::MIN_POSITIVE);
+            if deviation.is_finite() { deviation } else { f64::INFINITY }
+        };
+        (0..entries.len()).map(deviation)
+    };
+    let mut best = (f64::INFINITY, right, Vec::new());
+    let mut look = |angle: f64, best: &mut (f64, f64, Vec<Disturbance>)| {
+        for pose in drawn_at(angle) {
+            let edits = in_pose(site, &pose);
+            // What is far off counts as not explained.
+            let misfit = deviations(&edits).map(|off| off.min(2.0 * NEAR).powi(2)).sum::<f64>();
+            if misfit < best.0 {
+                *best = (misfit, angle, edits);
+            }
+        }
+    };
+    (0..(360.0 / TRIED) as u32).for_each(|k| look(right + f64::from(k) * TRIED, &mut best));
+    let mut step = 0.5 * TRIED;
+    while step > FOUND {
+        let middle = best.1;
+        [middle - step, middle + step].into_iter().for_each(|angle| look(angle, &mut best));
+        step *= 0.5;
+    }
+    let (_, angle, edits) = best;
+    let angle = with_turns(angle, 0.0);
+    let explained = deviations(&edits).filter(|off| *off <= NEAR).count();
+    let is_meant =
+        explained >= EXPLAINED && 3 * explained >= 2 * entries.len() && with_turns(angle - right, 0.0).abs() > TRIED;
+    is_meant.then_some((angle, edits))
 }
 
 /// The joints plotted, and the guides drawn, in another pose.
