@@ -5,7 +5,7 @@ use support::files::{list, path};
 use support::survey::ALIKE;
 use support::{read_back, whole_way};
 
-/// Takes every so many-th file of a folder the whole way.
+/// Runs one in `every` files of a folder through the whole program.
 fn holds(folder: &str, every: usize, whole_way: impl Fn(&str) + std::panic::RefUnwindSafe) {
     let files: Vec<String> =
         list(folder).into_iter().filter(|name| path(&format!("{folder}/{name}")).is_file()).collect();

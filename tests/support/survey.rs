@@ -130,7 +130,7 @@ pub const LEGIBLE: By<usize> = By(199, 7, 1);
 /// room, and that are not listed either. The steps of the excavator on 16:9 alone, where a sample has them, leave out some 190.
 pub const MISREAD: By<[usize; 5]> = By([0, 0, 0, 60, 0], [0, 0, 0, 400, 0], [0, 0, 0, 1000, 0]);
 
-/// Of many cases that are alike every so many-th.
+/// One in so many cases, where a test has many that are alike.
 pub const ALIKE: By<usize> = By(5, 1, 1);
 /// Every so many-th kind of mechanism, where each takes long and what is looked at hangs little on the kind.
 pub const KINDS: By<usize> = By(6, 1, 1);
