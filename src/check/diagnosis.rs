@@ -44,6 +44,14 @@ const WORST: f64 = 3.4;
 /// Values that slips may leave open, beside what is explained.
 const FEW: usize = 5;
 
+/// How many times its own uncertainty, given the values before it, a mistake must move a value for that to follow from the
+/// mistake.
+const RECOMPUTED: f64 = 4.0;
+
+/// Values that must follow from a mistake of unknown cause for it to be said that it was gone on with: at some place of a
+/// construction an amount can be found with which one more number agrees by chance.
+const FOLLOWING: usize = 2;
+
 /// Explanations that are told in the same words.
 struct Group<'t> {
     /// The likeliest of them.
@@ -80,6 +88,7 @@ impl Search<'_> {
         };
         let hand = &first.best.fit.hand;
         let mut told = told(&groups, values);
+        told.retain(has_evidence);
         let probability = |findings: &[Finding]| {
             let holds = |g: &&Group<'_>| findings.iter().all(|f| g.is_alike || has_cause(g, f));
             let all: f64 = groups.iter().filter(holds).map(|g| g.probability).sum();
@@ -106,10 +115,12 @@ impl Search<'_> {
         if open > FEW.max(off.len() / 2) || hand.worst() > WORST {
             told.clear();
         }
-        // In a drawing by hand a slip that moves no value out of its tolerance is a chance.
-        if hand.is_by_hand() {
-            told.retain(|finding| finding.changed().iter().any(|&entry| values[entry].verdict == Verdict::Off));
-        }
+        // In a drawing by hand a slip that moves no value out of its tolerance is a chance, in any drawing one in a value that is right.
+        let shows = |entry: &usize| match values[*entry].verdict {
+            Verdict::Right => false,
+            verdict => verdict == Verdict::Off || !hand.is_by_hand(),
+        };
+        told.retain(|finding| finding.changed().iter().any(shows));
         // Beside a mistake without a name one with a name fits by chance too often: the place of the first is told.
         if told.len() > 1 && !told.iter().all(Finding::names_cause) {
             told.truncate(1);
@@ -180,7 +191,7 @@ impl Search<'_> {
         }
         let Entry { asked, step, .. } = &values[entry].entry;
         let quantity = Blank::Quantity(asked.name().to_owned());
-        let is_alone = open.len() == 1;
+        let is_alone = open.len() == 1 && told.is_empty();
         let tell = if is_alone { tell::unknown_alone } else { tell::unknown_first };
         let (follows, contradicts, written) = (Vec::new(), Vec::new(), vec![entry]);
         let lesson = of_value(&self.scorer.models[0], self.scorer.entries, entry, is_alone);
@@ -300,13 +311,21 @@ impl Search<'_> {
                 let moved = datum.seen_apart(tried.fit.predicted[place], before[place]);
                 let is_moved = moved.abs() > 2.0 * self.scorer.deviation(place, &tried.fit);
                 let is_reinterpreted = candidate.reinterpreted.iter().any(|r| r.entry == datum.entry);
-                if touched.contains(&datum.entry) {
+                // What an amount was fitted to follows from nothing.
+                let is_fitted = moved * moved < RECOMPUTED * RECOMPUTED * tried.fit.given[place];
+                // Of what one mistake has made of all values of a kind the first is its place.
+                let is_like_first = candidate.mistake() == Mistake::CommonFactor && !written.is_empty();
+                if is_reinterpreted && is_like_first && !tried.fit.outside[place] {
+                    follows.push(datum.entry);
+                } else if touched.contains(&datum.entry) {
                     // What a mistake leaves as it is was not made in it.
                     if is_moved || is_reinterpreted {
                         written.push(datum.entry);
                     }
                 } else if is_moved && tried.fit.outside[place] {
                     contradicts.push(datum.entry);
+                } else if is_moved && is_fitted {
+                    written.push(datum.entry);
                 } else if is_moved {
                     follows.push(datum.entry);
                 }
@@ -317,6 +336,16 @@ impl Search<'_> {
         findings.sort_by_key(|f| f.candidate.step);
         findings
     }
+}
+
+/// Whether more values agree with a mistake than it has amounts that were fitted to them.
+fn has_evidence(finding: &Finding) -> bool {
+    let least = match (finding.names_cause(), finding.candidate.free.is_empty()) {
+        (true, true) => 0,
+        (true, false) => 1,
+        (false, _) => FOLLOWING,
+    };
+    finding.follows.len() >= least
 }
 
 /// Whether a group tells the cause of a finding; for a finding of unknown cause, whether one begins at the same value.

@@ -19,6 +19,8 @@ pub(super) struct Fit {
     pub predicted: Vec<f64>,
     /// By datum: whether the value remains unexplained.
     pub outside: Vec<bool>,
+    /// By datum: the variance that the value has given the earlier ones.
+    pub given: Vec<f64>,
     /// The hand for which the values are likeliest.
     pub hand: Hand,
 }
@@ -28,10 +30,11 @@ pub(super) struct Hands<'a> {
     covariances: &'a Covariances,
     compared: Compared<'a>,
     walk: Walk,
-    /// The best hand so far, its cost, and the values that it leaves unexplained.
+    /// The best hand so far, its cost, the values that it leaves unexplained, and the variances that it leaves to all.
     hand: Hand,
     cost: f64,
     outside: Vec<bool>,
+    given: Vec<f64>,
 }
 
 impl Hands<'_> {
@@ -42,6 +45,7 @@ impl Hands<'_> {
         if is_better {
             self.cost = cost;
             self.outside.clone_from(&self.walk.outside);
+            self.given.clone_from(&self.walk.given);
             self.hand = hand;
         }
         is_better
@@ -190,9 +194,10 @@ impl Scorer<'_> {
             hand: Hand::alike(1.0),
             cost: f64::INFINITY,
             outside: Vec::new(),
+            given: Vec::new(),
         };
         try_hands(&mut hands);
-        let (cost, outside, hand) = (hands.cost, hands.outside, hands.hand);
-        Some(Fit { cost, predicted, outside, hand })
+        let Hands { cost, outside, given, hand, .. } = hands;
+        Some(Fit { cost, predicted, outside, given, hand })
     }
 }

@@ -11,7 +11,7 @@
 //! forms of one scene have in common.
 //!
 //! `model` predicts all values together with their common errors, those of a drawing program among them;
-//! `covariance`, `score`, `fit` and `nearer` compute how well values fit a prediction; `mistakes/` is the catalogue, `settle`
+//! `covariance`, `score`, `fit` and `nearer` compute how well values fit a prediction, `own_rates` which follow from others anyhow; `mistakes/` is the catalogue, `settle`
 //! fits the amounts of unknown mistakes, `search` tries all of them, `diagnosis` weighs the explanations and chooses the one
 //! that is told, and `lesson` says what is to be learnt from it.
 //!
@@ -75,6 +75,7 @@ mod named;
 mod names;
 mod nearer;
 mod on_paper;
+mod own_rates;
 #[cfg(feature = "photo")]
 mod photographs;
 mod placed;

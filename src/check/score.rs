@@ -30,12 +30,13 @@ pub(super) struct Scorer<'a> {
 }
 
 impl<'a> Scorer<'a> {
-    /// `groups`: the covariances of a right drawing that the errors of hands cause, from an earlier form of the same
+    /// `own`: by entry, whether it is computed from other values. `groups`: the covariances of a right drawing that the errors of hands cause, from an earlier form of the same
     /// models; they are put there if there are none yet.
     pub fn new(
         models: &'a [Model],
         entries: &'a [Entry],
         tolerance: Tolerance,
+        own: &[bool],
         groups: &OnceLock<Groups>,
     ) -> Scorer<'a> {
         let model = &models[0];
@@ -70,7 +71,8 @@ impl<'a> Scorer<'a> {
         let all = [(Changes::new(), (0..count).collect())];
         let nominal = Covariances::new(model, &tolerance, &data, &all, &[], groups.get());
         groups.get_or_init(|| nominal.groups.clone());
-        Scorer { models, without: data.iter().map(Without::of).collect(), tolerance, nominal, entries, data }
+        let without = data.iter().map(|datum| Without::of(datum, own[datum.entry])).collect();
+        Scorer { models, without, tolerance, nominal, entries, data }
     }
 
     pub fn model(&self, set: &[&Candidate]) -> &'a Model {
@@ -260,16 +262,22 @@ pub(super) struct Without {
     pub cost: f64,
     /// The square of the range in which the value could lie, over the variance of its rounding.
     widest: f64,
+    /// Whether it follows from other values of the sheet.
+    is_own: bool,
 }
+
+/// Cost of a value that follows from others of the sheet, where the drawing gives another one: one of twenty is computed.
+const COMPUTED: f64 = 6.0;
 
 /// Cost of an unexplained value beyond that of the range in which it could lie: one value of some hundred is so.
 const UNEXPLAINED: f64 = 11.0;
 
 impl Without {
     /// The cost of a value if nothing explains it.
-    pub fn of(datum: &Datum) -> Without {
-        let cost = 2.0 * libm::log(datum.span) - libm::log(datum.variance());
-        Without { cost: cost + UNEXPLAINED, widest: libm::exp(cost) }
+    pub fn of(datum: &Datum, is_own: bool) -> Without {
+        let range = 2.0 * libm::log(datum.span) - libm::log(datum.variance());
+        let cost = if is_own { COMPUTED } else { range + UNEXPLAINED };
+        Without { cost, widest: libm::exp(range), is_own }
     }
 }
 
@@ -295,6 +303,8 @@ pub(super) struct Walk {
     pub outside: Vec<bool>,
     /// By value: by how much it is off what is predicted.
     pub off: Vec<f64>,
+    /// By value: its variance given the earlier ones.
+    pub given: Vec<f64>,
 }
 
 impl Walk {
@@ -305,6 +315,7 @@ impl Walk {
             means: vec![0.0; count],
             outside: vec![false; count],
             off: vec![0.0; count],
+            given: vec![0.0; count],
         }
     }
 
@@ -320,8 +331,9 @@ impl Walk {
             let variance = remaining(self.matrix[index * count + index], self.own[index] * rounding);
             let off = datum.off(compared.predicted[index], self.means[index]) - self.means[index];
             self.off[index] = off + self.means[index];
+            self.given[index] = variance;
             if !cost.add_deviate(off * off / variance, variance / rounding, &compared.without[index]) {
-                self.outside[index] = true;
+                self.outside[index] = !compared.without[index].is_own;
                 continue;
             }
             // The later values given this one.

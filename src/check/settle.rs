@@ -139,7 +139,9 @@ impl<'a> Settling<'a> {
             SIZES.iter().map(|size| self.none[0] + size * free.range).collect()
         };
         let apart: Vec<f64> = grid.iter().map(|&amount| at(amount)).collect();
-        let mut roots = Vec::new();
+        // A root between two places is told by the signs there, one at a place, as of twice the right number, by nothing else.
+        let mut roots: Vec<Vec<f64>> =
+            grid.iter().zip(&apart).filter(|(_, apart)| **apart == 0.0).map(|(&amount, _)| vec![amount]).collect();
         for (x, f) in grid.windows(2).zip(apart.windows(2)) {
             if f[0].is_finite() && f[1].is_finite() && f[0] * f[1] < 0.0 {
                 let tolerance = 0.1 * self.scorer.data[datum].rounding;

@@ -409,6 +409,13 @@ line_cut = der für {$point} gezogenen Geraden
 line_guide = der Führung von {$slider}
 line_through = der Geraden {$points}
 all_segments = alle Strecken des Blattes
+all_lengths = alle Längen
+all_velocities = alle Geschwindigkeiten
+all_accelerations = alle Beschleunigungen
+all_angular_velocities = alle Winkelgeschwindigkeiten
+all_angular_accelerations = alle Winkelbeschleunigungen
+all_forces = alle Kräfte
+all_moments = alle Momente
 horizontal = waagerechte
 vertical = senkrechte
 
@@ -570,6 +577,16 @@ value_for_paper-done = {$quantity}: {$number} ist der Wert in {$unit}; gefragt s
 value_for_paper-should = {$number} : {$scale} = {$mm} mm auf dem Papier
 values_for_paper-done = {$segments}: eingetragen sind Werte in {$unit}; gefragt sind Millimeter auf dem Papier
 values_for_paper-should = ein Wert durch {$scale} ist seine Länge auf dem Papier in Millimetern
+common_factor_degrees-done = {$values} sind das {$factor}-Fache der richtigen
+common_factor_degrees-should = in jedes Produkt gehen Winkelgeschwindigkeiten in Radiant pro Sekunde ein: 1 rad sind 57,2958°
+common_factor_turns-done = {$values} sind das {$factor}-Fache der richtigen
+common_factor_turns-should = in jedes Produkt gehen Winkelgeschwindigkeiten in Radiant pro Sekunde ein: 1 Umdrehung sind 2π rad
+common_factor_rpm-done = {$values} sind das {$factor}-Fache der richtigen
+common_factor_rpm-should = in jedes Produkt gehen Winkelgeschwindigkeiten in Radiant pro Sekunde ein: 1 rad/s sind 9,5493 Umdrehungen pro Minute
+common_factor_minutes-done = {$values} sind das {$factor}-Fache der richtigen
+common_factor_minutes-should = alle Zeiten stehen in einer Einheit: eine Minute hat 60 Sekunden
+common_factor_units-done = {$values} sind das {$factor}-Fache der richtigen
+common_factor_units-should = alle Längen stehen in einer Einheit: 1 m sind 100 cm oder 1000 mm
 revolutions_per_second-done = {$rate} wurde nicht zwischen Umdrehungen je Sekunde und Radiant je Sekunde umgerechnet
 revolutions_per_second-should = rad/s = rev/s · 2π
 degrees_for_radians-done = {$rate} wurde nicht zwischen Grad und Radiant umgerechnet

@@ -433,6 +433,13 @@ line_cut = the line that was drawn for {$point}
 line_guide = the guide of {$slider}
 line_through = the line {$points}
 all_segments = all segments of the sheet
+all_lengths = all lengths
+all_velocities = all velocities
+all_accelerations = all accelerations
+all_angular_velocities = all angular velocities
+all_angular_accelerations = all angular accelerations
+all_forces = all forces
+all_moments = all moments
 # Of an x component.
 horizontal = horizontal
 # Of a y component.
@@ -598,6 +605,16 @@ value_for_paper-done = {$quantity}: {$number} is the value in {$unit}; the box a
 value_for_paper-should = {$number} : {$scale} = {$mm} mm on paper
 values_for_paper-done = {$segments}: values in {$unit} are written; the boxes ask for millimetres of paper
 values_for_paper-should = a value divided by {$scale} is its length on paper in millimetres
+common_factor_degrees-done = {$values} are {$factor} times what they should be
+common_factor_degrees-should = every product takes angular velocities in radians per second: 1 rad is 57.2958°
+common_factor_turns-done = {$values} are {$factor} times what they should be
+common_factor_turns-should = every product takes angular velocities in radians per second: 1 revolution is 2π rad
+common_factor_rpm-done = {$values} are {$factor} times what they should be
+common_factor_rpm-should = every product takes angular velocities in radians per second: 1 rad/s is 9.5493 revolutions per minute
+common_factor_minutes-done = {$values} are {$factor} times what they should be
+common_factor_minutes-should = all times are in one unit: a minute has 60 seconds
+common_factor_units-done = {$values} are {$factor} times what they should be
+common_factor_units-should = all lengths are in one unit: 1 m is 100 cm or 1000 mm
 revolutions_per_second-done = {$rate} was not converted between revolutions per second and radians per second
 revolutions_per_second-should = rad/s = rev/s · 2π
 degrees_for_radians-done = {$rate} was not converted between degrees and radians

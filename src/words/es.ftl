@@ -407,6 +407,13 @@ line_cut = la recta que se trazó para hallar {$point}
 line_guide = la guía de {$slider}
 line_through = la recta {$points}
 all_segments = todos los segmentos de la hoja
+all_lengths = todas las longitudes
+all_velocities = todas las velocidades
+all_accelerations = todas las aceleraciones
+all_angular_velocities = todas las velocidades angulares
+all_angular_accelerations = todas las aceleraciones angulares
+all_forces = todas las fuerzas
+all_moments = todos los momentos
 horizontal = horizontal
 vertical = vertical
 
@@ -568,6 +575,16 @@ value_for_paper-done = {$quantity}: {$number} es el valor en {$unit}; se piden m
 value_for_paper-should = {$number} : {$scale} = {$mm} mm en el papel
 values_for_paper-done = {$segments}: se escribieron valores en {$unit}; se piden milímetros de papel
 values_for_paper-should = un valor dividido por {$scale} es su longitud en el papel en milímetros
+common_factor_degrees-done = {$values} valen {$factor} veces lo que deberían
+common_factor_degrees-should = todo producto toma las velocidades angulares en radianes por segundo: 1 rad son 57,2958°
+common_factor_turns-done = {$values} valen {$factor} veces lo que deberían
+common_factor_turns-should = todo producto toma las velocidades angulares en radianes por segundo: 1 vuelta son 2π rad
+common_factor_rpm-done = {$values} valen {$factor} veces lo que deberían
+common_factor_rpm-should = todo producto toma las velocidades angulares en radianes por segundo: 1 rad/s son 9,5493 vueltas por minuto
+common_factor_minutes-done = {$values} valen {$factor} veces lo que deberían
+common_factor_minutes-should = todos los tiempos van en una unidad: un minuto tiene 60 segundos
+common_factor_units-done = {$values} valen {$factor} veces lo que deberían
+common_factor_units-should = todas las longitudes van en una unidad: 1 m son 100 cm o 1000 mm
 revolutions_per_second-done = {$rate} no se convirtió entre revoluciones por segundo y radianes por segundo
 revolutions_per_second-should = rad/s = rev/s · 2π
 degrees_for_radians-done = {$rate} no se convirtió entre grados y radianes

@@ -409,6 +409,13 @@ line_cut = a reta traçada para achar {$point}
 line_guide = a guia de {$slider}
 line_through = a reta {$points}
 all_segments = todos os segmentos da folha
+all_lengths = todos os comprimentos
+all_velocities = todas as velocidades
+all_accelerations = todas as acelerações
+all_angular_velocities = todas as velocidades angulares
+all_angular_accelerations = todas as acelerações angulares
+all_forces = todas as forças
+all_moments = todos os momentos
 horizontal = horizontal
 vertical = vertical
 
@@ -570,6 +577,16 @@ value_for_paper-done = {$quantity}: {$number} é o valor em {$unit}; pedem-se mi
 value_for_paper-should = {$number} : {$scale} = {$mm} mm no papel
 values_for_paper-done = {$segments}: foram escritos valores em {$unit}; pedem-se milímetros de papel
 values_for_paper-should = um valor dividido por {$scale} é seu comprimento no papel em milímetros
+common_factor_degrees-done = {$values} valem {$factor} vezes o que deveriam
+common_factor_degrees-should = todo produto toma as velocidades angulares em radianos por segundo: 1 rad são 57,2958°
+common_factor_turns-done = {$values} valem {$factor} vezes o que deveriam
+common_factor_turns-should = todo produto toma as velocidades angulares em radianos por segundo: 1 volta são 2π rad
+common_factor_rpm-done = {$values} valem {$factor} vezes o que deveriam
+common_factor_rpm-should = todo produto toma as velocidades angulares em radianos por segundo: 1 rad/s são 9,5493 voltas por minuto
+common_factor_minutes-done = {$values} valem {$factor} vezes o que deveriam
+common_factor_minutes-should = todos os tempos ficam em uma unidade: um minuto tem 60 segundos
+common_factor_units-done = {$values} valem {$factor} vezes o que deveriam
+common_factor_units-should = todos os comprimentos ficam em uma unidade: 1 m são 100 cm ou 1000 mm
 revolutions_per_second-done = {$rate} não foi convertido entre rotações por segundo e radianos por segundo
 revolutions_per_second-should = rad/s = rev/s · 2π
 degrees_for_radians-done = {$rate} não foi convertido entre graus e radianos

@@ -327,6 +327,14 @@ macro_rules! catalogue {
                 /// All of a sheet.
                 values_for_paper(segments, unit, scale)
             }
+            /// All values of a kind too large or too small by one factor.
+            CommonFactor "common-factor" 5.0 copying::common_factor {
+                common_factor_degrees(values, factor)
+                common_factor_turns(values, factor)
+                common_factor_rpm(values, factor)
+                common_factor_minutes(values, factor)
+                common_factor_units(values, factor)
+            }
             /// A value wrong for a reason that the catalogue does not know, and used in later operations.
             Unknown "unknown" 10.0 unknown::everywhere {
                 unknown(quantity)

@@ -6,7 +6,7 @@ use super::told::{Blank, Told, tell};
 use crate::check::entry::Entry;
 use crate::construction::{Change, Disturbance};
 use crate::scene::DecimalMark;
-use crate::sheet::Sheet;
+use crate::sheet::{QuantityKind, Sheet};
 use crate::words::NumberStyle;
 
 /// The candidates for values written otherwise than meant: one where later operations use the written values, if any
@@ -225,6 +225,67 @@ pub(super) fn other_unit(site: &Site<'_>) -> Vec<Candidate> {
         for (name, size) in METRIC.iter().filter(|m| m.0 != head) {
             let other = own.replacen(head, name, 1);
             found.extend(in_unit(site, tell::other_unit, index, size / metric.1, [&other, &own]));
+        }
+    }
+    found
+}
+
+/// What may be said of values of one kind that are all too large or too small by one factor.
+type CommonFactor = (f64, fn(Blank, Blank) -> Told);
+
+/// Factors of rates of rotation in other units than radians per second, and of what is computed with them.
+const TURNING: [CommonFactor; 4] = [
+    (180.0 / core::f64::consts::PI, tell::common_factor_degrees),
+    (core::f64::consts::TAU, tell::common_factor_turns),
+    (60.0 / core::f64::consts::TAU, tell::common_factor_rpm),
+    (60.0, tell::common_factor_minutes),
+];
+
+/// Factors between metric units.
+const UNITS: [CommonFactor; 3] =
+    [(10.0, tell::common_factor_units), (100.0, tell::common_factor_units), (1000.0, tell::common_factor_units)];
+
+/// The factors that values of a kind may have in common: accelerations those of ω and of ω².
+fn common_factors(kind: QuantityKind) -> Vec<CommonFactor> {
+    let squares = TURNING.map(|(factor, told)| (factor * factor, told));
+    match kind {
+        QuantityKind::AngularVelocity => TURNING.to_vec(),
+        QuantityKind::AngularAcceleration => [TURNING, squares].concat(),
+        QuantityKind::Velocity => [&TURNING[..], &UNITS].concat(),
+        QuantityKind::Acceleration => [&TURNING[..], &squares, &UNITS].concat(),
+        QuantityKind::Length | QuantityKind::Force | QuantityKind::Moment => UNITS.to_vec(),
+        _ => Vec::new(),
+    }
+}
+
+/// The kinds of values that are looked at for a common factor.
+const COMMON: [QuantityKind; 7] = [
+    QuantityKind::Length,
+    QuantityKind::Velocity,
+    QuantityKind::Acceleration,
+    QuantityKind::AngularVelocity,
+    QuantityKind::AngularAcceleration,
+    QuantityKind::Force,
+    QuantityKind::Moment,
+];
+
+/// All values of a kind, two at least, that one factor brings to the right ones.
+pub(super) fn common_factor(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for kind in COMMON {
+        // Nothing is nothing times any factor.
+        let all: Vec<(usize, &Entry)> =
+            written(site).filter(|(_, entry)| entry.asked.kind() == kind && entry.value != 0.0).collect();
+        if all.len() < 2 {
+            continue;
+        }
+        let both = common_factors(kind).into_iter().flat_map(|(factor, told)| [(factor, told), (1.0 / factor, told)]);
+        for (factor, told) in both {
+            let number = NumberStyle::significant(4).trimmed().write(factor, DecimalMark::Point);
+            let meant =
+                all.iter().map(|(index, entry)| meant_as(*index, entry.value / factor, entry.rounding / factor));
+            let all = misread(site, told(Blank::AllOf(kind), Blank::Number(number)), meant.collect());
+            found.extend(all.into_iter().map(|candidate| Candidate { step: 0, ..candidate }));
         }
     }
     found

@@ -2,8 +2,8 @@
 
 use super::catalogue::catalogue;
 use crate::scene::{Head, QuantityName};
-use crate::sheet::Sheet;
-use crate::words::Wording;
+use crate::sheet::{QuantityKind, Sheet};
+use crate::words::{Language, Wording};
 
 /// What a row of the catalogue says of a mistake.
 struct Row {
@@ -112,6 +112,8 @@ pub enum Blank {
     Vertical,
     /// All segments of a sheet.
     AllSegments,
+    /// All values of a kind.
+    AllOf(QuantityKind),
 }
 
 impl From<&str> for Blank {
@@ -134,7 +136,7 @@ impl Blank {
             | Blank::LineThrough(text) => text,
             Blank::Horizontal => "x",
             Blank::Vertical => "y",
-            Blank::AllSegments => "",
+            Blank::AllSegments | Blank::AllOf(_) => "",
         }
     }
 
@@ -152,7 +154,21 @@ impl Blank {
             Blank::Horizontal => language.horizontal().to_owned(),
             Blank::Vertical => language.vertical().to_owned(),
             Blank::AllSegments => language.all_segments().to_owned(),
+            Blank::AllOf(kind) => all_of(*kind, language).to_owned(),
         }
+    }
+}
+
+/// All values of a kind, as a sentence begins with them.
+fn all_of(kind: QuantityKind, language: &Language) -> &str {
+    match kind {
+        QuantityKind::AngularVelocity => language.all_angular_velocities(),
+        QuantityKind::AngularAcceleration => language.all_angular_accelerations(),
+        QuantityKind::Velocity => language.all_velocities(),
+        QuantityKind::Acceleration => language.all_accelerations(),
+        QuantityKind::Force => language.all_forces(),
+        QuantityKind::Moment => language.all_moments(),
+        _ => language.all_lengths(),
     }
 }
 

@@ -107,6 +107,13 @@ sentences! {
     line_guide(slider);
     line_through(points);
     all_segments;
+    all_lengths;
+    all_velocities;
+    all_accelerations;
+    all_angular_velocities;
+    all_angular_accelerations;
+    all_forces;
+    all_moments;
     /// Of an x component.
     horizontal;
     /// Of a y component.

@@ -1,0 +1,58 @@
+//! Values that students compute from the rates of rotation of their own sheet, as |a_B| from α and ω, where a drawing gives them by
+//! measuring. They follow from these rates, whatever was drawn.
+
+use super::entry::Entry;
+use super::model::Model;
+use crate::construction::{Rate, Solution, image_name};
+use crate::mechanism::{BodyId, GROUND, PointId};
+use crate::quantity::What;
+use crate::sheet::Order;
+
+/// Slack of a computed number beyond its roundings, in parts of it: people compute with three or four digits.
+const SLACK: f64 = 3e-3;
+
+/// By entry: whether it is what the written rates of a link give for the segment of two of its points, and no later operation uses it: a
+/// segment from which rates are found agrees with them anyway.
+pub(super) fn from_own_rates(model: &Model, entries: &[Entry], solution: &Solution) -> Vec<bool> {
+    let rate = |order: Order, body: BodyId| {
+        let is_it =
+            |entry: &&Entry| matches!(entry.asked.what, What::Rate(Rate::Angular(o, b)) if (o, b) == (order, body));
+        entries.iter().find(is_it).map(|entry| (entry.value.abs(), entry.rounding))
+    };
+    let is_own = |(index, entry): (usize, &Entry)| {
+        let What::Segment(order, ends) = &entry.asked.what else { return false };
+        let is_read = model.readings[index].is_ok_and(|reading| !model.used[reading.number.0]);
+        let Some((body, length)) = on_one_link(solution, *order, ends).filter(|_| is_read) else { return false };
+        let Some((omega, omega_rounding)) = rate(Order::Velocity, body) else { return false };
+        let size = match order {
+            Order::Velocity => (length * omega, length * (omega + omega_rounding)),
+            Order::Acceleration => {
+                let Some((alpha, alpha_rounding)) = rate(Order::Acceleration, body) else { return false };
+                let with = |omega: f64, alpha: f64| length * libm::hypot(alpha, omega * omega);
+                (with(omega, alpha), with(omega + omega_rounding, alpha + alpha_rounding))
+            }
+        };
+        let (own, most) = size;
+        (entry.value.abs() - own).abs() <= (most - own) + entry.rounding + SLACK * own
+    };
+    entries.iter().enumerate().map(is_own).collect()
+}
+
+/// The link to which the two points belong whose images these are, and their distance; the pole is the image of what is fixed.
+fn on_one_link(solution: &Solution, order: Order, ends: &[String; 2]) -> Option<(BodyId, f64)> {
+    let Solution { mechanism, pose, .. } = solution;
+    let ground = mechanism.body(GROUND);
+    let of_end = |points: &[PointId], end: &String| {
+        let is_pole = *end == order.pole();
+        let is_it = |point: &&PointId| match is_pole {
+            true => ground.has(**point),
+            false => image_name(mechanism.point_name(**point)) == *end,
+        };
+        points.iter().find(is_it).copied()
+    };
+    mechanism.links().find_map(|(id, link)| {
+        let [one, other] = ends.each_ref().map(|end| of_end(&link.points, end));
+        let (one, other) = one.zip(other)?;
+        (one != other).then(|| (id, (pose.point(one) - pose.point(other)).norm()))
+    })
+}
