@@ -44,13 +44,20 @@ const WORST: f64 = 3.4;
 /// Values that slips may leave open, beside what is explained.
 const FEW: usize = 5;
 
-/// How many times its own uncertainty, given the values before it, a mistake must move a value for that to follow from the
-/// mistake.
-const RECOMPUTED: f64 = 4.0;
+/// A value follows from a mistake where the values before it tell what it should be: to so many deviations of an honest hand, or to this
+/// part of what the mistake moves it by.
+const KNOWN: f64 = 3.0;
+const RECOMPUTED: f64 = 20.0;
 
 /// Values that must follow from a mistake of unknown cause for it to be said that it was gone on with: at some place of a
 /// construction an amount can be found with which one more number agrees by chance.
 const FOLLOWING: usize = 2;
+
+/// One of so many who invent all numbers may be told that they agree with a mistake.
+const RARELY: f64 = 300.0;
+
+/// The logarithm of how many times less likely each value that is right makes it that the others are invented.
+const TRUSTED: f64 = 1.5;
 
 /// Explanations that are told in the same words.
 struct Group<'t> {
@@ -88,7 +95,7 @@ impl Search<'_> {
         };
         let hand = &first.best.fit.hand;
         let mut told = told(&groups, values);
-        told.retain(has_evidence);
+        told.retain(|finding| self.has_evidence(first.best, finding, values));
         let probability = |findings: &[Finding]| {
             let holds = |g: &&Group<'_>| findings.iter().all(|f| g.is_alike || has_cause(g, f));
             let all: f64 = groups.iter().filter(holds).map(|g| g.probability).sum();
@@ -169,6 +176,7 @@ impl Search<'_> {
             (true, Some(_)) => certain,
             (false, _) => certain * probability(&told),
         };
+        told.retain(|finding| finding.names_cause() || finding.follows.len() >= FOLLOWING);
         self.teach(&mut told);
         told.splice(0..0, begins);
         Diagnosis {
@@ -258,6 +266,36 @@ impl Search<'_> {
         }
     }
 
+    /// Whether more values agree with a mistake than it has amounts that were fitted to them, and than somebody who invents numbers would hit
+    /// with one of all mistakes at one of all places.
+    fn has_evidence(&self, tried: &Tried, finding: &Finding, values: &[Judged]) -> bool {
+        let follows = finding.follows.len();
+        match (finding.names_cause(), finding.candidate.free.is_empty()) {
+            (true, true) => follows == 0 || self.agreement(tried, finding, values) >= self.by_chance(values),
+            (true, false) => follows > 0,
+            (false, _) => follows >= FOLLOWING,
+        }
+    }
+
+    /// How precisely the values that a mistake has put off agree with it: the logarithm of one over the probability that invented ones would.
+    fn agreement(&self, tried: &Tried, finding: &Finding, values: &[Judged]) -> f64 {
+        let changed = finding.changed();
+        let data = self.scorer.data.iter().enumerate();
+        let data = data.filter(|(_, datum)| {
+            let entry = datum.entry;
+            changed.contains(&entry) && values[entry].verdict == Verdict::Off && !self.is_outside(&tried.fit, entry)
+        });
+        // Twice the standard deviation to both sides.
+        data.map(|(place, datum)| libm::log(datum.span / (4.0 * tried.fit.given[place].sqrt())).max(0.0)).sum()
+    }
+
+    /// The agreement that is to be expected by chance: less, the more values are right, as they are not invented then.
+    fn by_chance(&self, values: &[Judged]) -> f64 {
+        let is_right = |value: &&Judged| matches!(value.verdict, Verdict::Right | Verdict::WithinTolerance);
+        let right = values.iter().filter(is_right).count();
+        libm::log(self.pool.len() as f64 * RARELY) - TRUSTED * right as f64
+    }
+
     fn is_outside(&self, fit: &Fit, entry: usize) -> bool {
         let mut data = fit.outside.iter().zip(&self.scorer.data);
         data.find(|(_, datum)| datum.entry == entry).is_none_or(|(outside, _)| *outside)
@@ -309,10 +347,11 @@ impl Search<'_> {
             let (mut follows, mut contradicts, mut written) = (Vec::new(), Vec::new(), Vec::new());
             for (place, datum) in self.scorer.data.iter().enumerate() {
                 let moved = datum.seen_apart(tried.fit.predicted[place], before[place]);
-                let is_moved = moved.abs() > 2.0 * self.scorer.deviation(place, &tried.fit);
+                let deviation = self.scorer.deviation(place, &tried.fit);
+                let is_moved = moved.abs() > 2.0 * deviation;
                 let is_reinterpreted = candidate.reinterpreted.iter().any(|r| r.entry == datum.entry);
                 // What an amount was fitted to follows from nothing.
-                let is_fitted = moved * moved < RECOMPUTED * RECOMPUTED * tried.fit.given[place];
+                let is_fitted = tried.fit.given[place].sqrt() > (KNOWN * deviation).max(moved.abs() / RECOMPUTED);
                 // Of what one mistake has made of all values of a kind the first is its place.
                 let is_like_first = candidate.mistake() == Mistake::CommonFactor && !written.is_empty();
                 if is_reinterpreted && is_like_first && !tried.fit.outside[place] {
@@ -336,16 +375,6 @@ impl Search<'_> {
         findings.sort_by_key(|f| f.candidate.step);
         findings
     }
-}
-
-/// Whether more values agree with a mistake than it has amounts that were fitted to them.
-fn has_evidence(finding: &Finding) -> bool {
-    let least = match (finding.names_cause(), finding.candidate.free.is_empty()) {
-        (true, true) => 0,
-        (true, false) => 1,
-        (false, _) => FOLLOWING,
-    };
-    finding.follows.len() >= least
 }
 
 /// Whether a group tells the cause of a finding; for a finding of unknown cause, whether one begins at the same value.
@@ -410,9 +439,15 @@ fn wider(finding: &Finding) -> Option<Finding> {
 
 /// A mistake told by its place and what follows from it, without a cause.
 fn only_placed(finding: &Finding, values: &[Judged]) -> Option<Finding> {
-    let first = &values[finding.first()?].entry;
-    let told = tell::unknown(Blank::Quantity(first.asked.name().to_owned()));
-    Some(Finding { candidate: Candidate { told, ..finding.candidate.clone() }, ..finding.clone() })
+    let first = finding.first()?;
+    let told = tell::unknown(Blank::Quantity(values[first].entry.asked.name().to_owned()));
+    let mut placed = Finding { candidate: Candidate { told, ..finding.candidate.clone() }, ..finding.clone() };
+    // Nothing follows from itself.
+    if placed.follows.contains(&first) {
+        placed.follows.retain(|&value| value != first);
+        placed.written.insert(0, first);
+    }
+    Some(placed)
 }
 
 /// The share of students that made these mistakes, of those for whom they have this probability among all that was

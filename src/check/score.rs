@@ -147,8 +147,11 @@ impl<'a> Scorer<'a> {
         let mut meant = self.data.clone();
         for reinterpreted in set.iter().flat_map(|c| &c.reinterpreted) {
             if let Some(datum) = meant.iter_mut().find(|datum| datum.entry == reinterpreted.entry) {
+                // As much coarser than it is written as the datum itself.
+                let coarser = datum.rounding / self.entries[datum.entry].rounding;
+                let coarser = if coarser.is_finite() { coarser.max(1.0) } else { 1.0 };
                 datum.value = reinterpreted.value;
-                datum.rounding = reinterpreted.rounding.max(f64::MIN_POSITIVE);
+                datum.rounding = (reinterpreted.rounding * coarser).max(f64::MIN_POSITIVE);
             }
         }
         meant
@@ -275,7 +278,8 @@ const UNEXPLAINED: f64 = 11.0;
 impl Without {
     /// The cost of a value if nothing explains it.
     pub fn of(datum: &Datum, is_own: bool) -> Without {
-        let range = 2.0 * libm::log(datum.span) - libm::log(datum.variance());
+        // Whoever writes a value far too large could have written any as large.
+        let range = 2.0 * libm::log(datum.span.max(datum.value.abs())) - libm::log(datum.variance());
         let cost = if is_own { COMPUTED } else { range + UNEXPLAINED };
         Without { cost, widest: libm::exp(range), is_own }
     }

@@ -150,6 +150,7 @@ mod toothed;
 
 mod trains;
 mod values;
+mod what_follows;
 mod whole_errors;
 mod willis;
 mod worked;
