@@ -353,7 +353,7 @@ impl Search<'_> {
                 // What an amount was fitted to follows from nothing.
                 let is_fitted = tried.fit.given[place].sqrt() > (KNOWN * deviation).max(moved.abs() / RECOMPUTED);
                 // Of what one mistake has made of all values of a kind the first is its place.
-                let is_like_first = candidate.mistake() == Mistake::CommonFactor && !written.is_empty();
+                let is_like_first = candidate.told.is_of_a_kind() && !written.is_empty();
                 if is_reinterpreted && is_like_first && !tried.fit.outside[place] {
                     follows.push(datum.entry);
                 } else if touched.contains(&datum.entry) {

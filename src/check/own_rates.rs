@@ -11,29 +11,24 @@ use crate::sheet::Order;
 /// Slack of a computed number beyond its roundings, in parts of it: people compute with three or four digits.
 const SLACK: f64 = 3e-3;
 
-/// By entry: whether it is what the written rates of a link give for the segment of two of its points, and no later operation uses it: a
-/// segment from which rates are found agrees with them anyway.
-pub(super) fn from_own_rates(model: &Model, entries: &[Entry], solution: &Solution) -> Vec<bool> {
+/// By entry: how exactly it is the acceleration that the written rates of a link give one of its points relative to another, where
+/// no later operation uses it. Segments from which rates are found, and all velocities, agree with them in any drawing.
+pub(super) fn from_own_rates(model: &Model, entries: &[Entry], solution: &Solution) -> Vec<Option<f64>> {
     let rate = |order: Order, body: BodyId| {
         let is_it =
             |entry: &&Entry| matches!(entry.asked.what, What::Rate(Rate::Angular(o, b)) if (o, b) == (order, body));
         entries.iter().find(is_it).map(|entry| (entry.value.abs(), entry.rounding))
     };
     let is_own = |(index, entry): (usize, &Entry)| {
-        let What::Segment(order, ends) = &entry.asked.what else { return false };
+        let What::Segment(order @ Order::Acceleration, ends) = &entry.asked.what else { return None };
         let is_read = model.readings[index].is_ok_and(|reading| !model.used[reading.number.0]);
-        let Some((body, length)) = on_one_link(solution, *order, ends).filter(|_| is_read) else { return false };
-        let Some((omega, omega_rounding)) = rate(Order::Velocity, body) else { return false };
-        let size = match order {
-            Order::Velocity => (length * omega, length * (omega + omega_rounding)),
-            Order::Acceleration => {
-                let Some((alpha, alpha_rounding)) = rate(Order::Acceleration, body) else { return false };
-                let with = |omega: f64, alpha: f64| length * libm::hypot(alpha, omega * omega);
-                (with(omega, alpha), with(omega + omega_rounding, alpha + alpha_rounding))
-            }
-        };
-        let (own, most) = size;
-        (entry.value.abs() - own).abs() <= (most - own) + entry.rounding + SLACK * own
+        let (body, length) = on_one_link(solution, *order, ends).filter(|_| is_read)?;
+        let rates = rate(Order::Velocity, body).zip(rate(Order::Acceleration, body));
+        let ((omega, omega_rounding), (alpha, alpha_rounding)) = rates?;
+        let with = |omega: f64, alpha: f64| length * libm::hypot(alpha, omega * omega);
+        let (own, most) = (with(omega, alpha), with(omega + omega_rounding, alpha + alpha_rounding));
+        let within = (most - own) + entry.rounding + SLACK * own;
+        ((entry.value.abs() - own).abs() <= within).then_some(within)
     };
     entries.iter().enumerate().map(is_own).collect()
 }

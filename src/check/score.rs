@@ -30,13 +30,13 @@ pub(super) struct Scorer<'a> {
 }
 
 impl<'a> Scorer<'a> {
-    /// `own`: by entry, whether it is computed from other values. `groups`: the covariances of a right drawing that the errors of hands cause, from an earlier form of the same
+    /// `own`: by entry, how exactly it agrees with other values, where it is computed from them. `groups`: the covariances of a right drawing that the errors of hands cause, from an earlier form of the same
     /// models; they are put there if there are none yet.
     pub fn new(
         models: &'a [Model],
         entries: &'a [Entry],
         tolerance: Tolerance,
-        own: &[bool],
+        own: &[Option<f64>],
         groups: &OnceLock<Groups>,
     ) -> Scorer<'a> {
         let model = &models[0];
@@ -277,11 +277,11 @@ const UNEXPLAINED: f64 = 11.0;
 
 impl Without {
     /// The cost of a value if nothing explains it.
-    pub fn of(datum: &Datum, is_own: bool) -> Without {
-        // Whoever writes a value far too large could have written any as large.
-        let range = 2.0 * libm::log(datum.span.max(datum.value.abs())) - libm::log(datum.variance());
-        let cost = if is_own { COMPUTED } else { range + UNEXPLAINED };
-        Without { cost, widest: libm::exp(range), is_own }
+    pub fn of(datum: &Datum, own: Option<f64>) -> Without {
+        let of_width = |width: f64| 2.0 * libm::log(width) - libm::log(datum.variance());
+        let range = of_width(datum.span);
+        let cost = own.map_or(range + UNEXPLAINED, |within| COMPUTED + of_width(within));
+        Without { cost, widest: libm::exp(range), is_own: own.is_some() }
     }
 }
 

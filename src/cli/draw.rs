@@ -317,13 +317,16 @@ impl Draw {
             }
             let left_out = figures.values_left_out(sheet);
             if left_out > 0 {
-                note(&format!(
-                    "no room for {left_out} values that are no main results; --values adds a table with them"
-                ));
+                let values = match left_out {
+                    1 => "1 value that is no main result; --values adds a table with it".to_owned(),
+                    count => format!("{count} values that are no main results; --values adds a table with them"),
+                };
+                note(&format!("no room for {values}"));
             }
             let parts = sheets.iter().skip(1).filter(|sheet| !sheet.panels.is_empty()).count();
             if parts > 0 {
-                note(&format!("names crowd: {parts} further sheets show parts of the plans, larger"));
+                let sheets = if parts == 1 { "1 further sheet shows" } else { &format!("{parts} further sheets show") };
+                note(&format!("names crowd: {sheets} parts of the plans, larger"));
             }
         }
         style.put_on(&mut sheets);

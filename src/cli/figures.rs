@@ -384,10 +384,12 @@ fn warn_unlabelled(drawings: &[(String, Made)]) {
             0 => String::new(),
             more => format!(" and {more} more"),
         };
-        let (count, are) = (names.len(), if are_listed { "listed below its heading" } else { "left out" });
-        warn(&format!(
-            "{panel}: no room for {count} names, which are {are}: {listed}{more}; a larger page has room for more"
-        ));
+        let count = match names.len() {
+            1 => "1 name, which is".to_owned(),
+            count => format!("{count} names, which are"),
+        };
+        let place = if are_listed { "listed below its heading" } else { "left out" };
+        warn(&format!("{panel}: no room for {count} {place}: {listed}{more}; a larger page has room for more"));
     }
 }
 

@@ -2,7 +2,7 @@ use crate::construction::{
     Action, CurvatureStep, ForceStep, NOTHING, NumberedStep, Solution, Teller, Tolerance, contacts_told, display,
     plain_text, shown_text,
 };
-use crate::drawing::drawn_vector;
+use crate::drawing::{FigureSheets, drawn_vector};
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::{Pencil, QuantityRequest, Unread};
 use crate::scene::{Head, QuantityName, Units};
@@ -34,7 +34,7 @@ impl Solution {
         if let Some(title) = scene.title.as_ref().filter(|title| !title.is_blank()) {
             list.line(&title.for_terminal());
         }
-        list.scales_line();
+        list.scales_lines();
         list.pencil_lines();
         let shown = |name: &str| display(name);
         for said in contacts_told(&self.mechanism, &words, &shown) {
@@ -51,25 +51,30 @@ impl Solution {
             list.step(&step);
         }
         for agreement in construction.agreement.iter().flatten() {
-            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            let [difference, allowed] =
+                [agreement.difference, agreement.allowed].map(|x| words.agreement(x, ONE_DIGIT));
             list.heading(&language.routes_differ(&difference, &allowed));
         }
         if let Some(agreement) = construction.forces.as_ref().and_then(|plan| plan.agreement) {
-            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            let [difference, allowed] =
+                [agreement.difference, agreement.allowed].map(|x| words.agreement(x, ONE_DIGIT));
             list.heading(&language.forces_differ(&difference, &allowed));
         }
         if let Some(agreement) = construction.centers.as_ref().and_then(|centers| centers.agreement) {
-            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            let [difference, allowed] =
+                [agreement.difference, agreement.allowed].map(|x| words.agreement(x, ONE_DIGIT));
             list.heading(&language.centers_differ(&difference, &allowed));
         }
         let curvatures = construction.centers.iter().flat_map(|centers| &centers.curvatures);
         for agreement in curvatures.filter_map(|found| found.agreement) {
-            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            let [difference, allowed] =
+                [agreement.difference, agreement.allowed].map(|x| words.agreement(x, ONE_DIGIT));
             list.heading(&language.curvatures_differ(&difference, &allowed));
         }
         let inflections = construction.centers.iter().flat_map(|centers| &centers.inflections);
         for agreement in inflections.filter_map(|found| found.agreement) {
-            let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
+            let [difference, allowed] =
+                [agreement.difference, agreement.allowed].map(|x| words.agreement(x, ONE_DIGIT));
             list.heading(&language.inflections_differ(&difference, &allowed));
         }
         list.text
@@ -116,14 +121,23 @@ impl StepList<'_> {
         sheet.facts().drawn.unit(self.units)
     }
 
-    fn scales_line(&mut self) {
-        let scale = |sheet: Sheet| {
-            let mu = self.words.write(self.pencil.scales[sheet]?, NumberStyle::shortest());
-            Some(self.words.language.scale_per_mm(sheet.facts().scale_symbol, &mu, &self.unit(sheet)))
+    /// The scales of the lengths on paper, which are those for a hand, and those of the figure where it has others.
+    fn scales_lines(&mut self) {
+        let all = |scales: &Scales| {
+            let scale = |sheet: Sheet| {
+                let mu = self.words.write(scales[sheet]?, NumberStyle::shortest());
+                Some(self.words.language.scale_per_mm(sheet.facts().scale_symbol, &mu, &self.unit(sheet)))
+            };
+            Sheet::ALL.into_iter().filter_map(scale).collect::<Vec<String>>().join(", ")
         };
-        let scales: Vec<String> = Sheet::ALL.into_iter().filter_map(scale).collect();
-        let line = self.words.language.scales(&scales.join(", "));
-        self.line(&line);
+        let [by_hand, figure] = [&self.pencil.scales, &FigureSheets::new(self.solution).scales()].map(all);
+        let language = self.words.language;
+        if by_hand == figure {
+            self.line(&language.scales(&by_hand));
+        } else {
+            self.line(&language.scales_by_hand(&by_hand));
+            self.line(&language.scales_of_figure(&figure));
+        }
     }
 
     /// Lines that say what the bands mean, and why some values have none.

@@ -55,7 +55,11 @@ pub fn structure(mechanism: &Mechanism, words: &Wording) -> String {
     }
     for group in &mechanism.groups {
         let (links, class) = (group.link_names(mechanism), group.class.in_words(language));
-        lines.push(language.structure_group(&links, class, shape(group.class, language)));
+        lines.push(match group.links.len() {
+            // A wheel alone, turned by what it touches, is no group of a class.
+            1 => language.structure_wheel(&links),
+            _ => language.structure_group(&links, class, shape(group.class, language)),
+        });
         let special = group.special.iter().filter(|s| s.target.is_none());
         let special: Vec<&str> = special.map(|s| s.name.as_str()).collect();
         if !special.is_empty() {

@@ -98,6 +98,7 @@ messages! { "scene":
     add_length_unit;
     add_time_unit;
     add_speed;
+    points_as_one_text;
     without_quotes(number);
     with_a_point(number);
     or_as_rpm(number);

@@ -123,6 +123,7 @@ impl Why {
             Why::Missing(key) => Wrong::value(path, says::missing(key)).maybe_hint(missing_hint(path, key)),
             Why::Type(expected) => {
                 let hint = match found {
+                    Some(Json::String(_)) if matches!(path, [.., "along", _]) => Some(says::points_as_one_text()),
                     Some(Json::String(text)) if expected.contains("number") => {
                         number_hint(path, &expected, text.trim())
                     }

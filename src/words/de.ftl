@@ -88,6 +88,8 @@ coriolis = Coriolis
 # The text of the steps.
 
 scales = Maßstäbe: {$scales}
+scales_by_hand = Maßstäbe des Arbeitsblatts und der folgenden Längen auf dem Papier: {$scales}
+scales_of_figure = Maßstäbe der Figur: {$scales}
 scale_per_mm = {$scale} = {$value} {$unit} je mm
 bands = ± halten sorgfältige Handzeichnungen (±{$mm} mm, ±{$degrees}°) ein, mindestens 95 von 100.
 no_band_no_construction = Ein Wert hat kein ±, wenn er von einer Gruppe ohne Konstruktion abhängt (Sonderpunkt im Unendlichen oder höhere Klasse).
@@ -300,6 +302,7 @@ shape_second = zwei Glieder (Zweischlag)
 shape_third = ein Zentralglied an drei Lenkern
 shape_fourth = zwei Mitnehmerglieder, verbunden durch zwei Schlussglieder, eine geschlossene Schleife aus vier Gliedern
 shape_higher = mehr Glieder, als die Klassen II bis IV haben, oder anders verbunden
+structure_wheel = Glied {$link}: ein einzelnes Rad, das durch das gedreht wird, was es berührt
 
 # The list of assembly modes.
 
@@ -573,19 +576,21 @@ revolutions_for_radians-done = {$rate} wurde nicht zwischen Umdrehungen je Minut
 revolutions_for_radians-should = rad/s = rpm · π/30
 rate_in_other_unit-done = {$rate}: gegeben war {$number} {$given}; gerechnet wurde mit {$number} {$taken}
 rate_in_other_unit-should = mit {$number} {$given} weiterrechnen
+all_in_other_unit-done = {$values}, wie {$first}, stehen dort in {$unit}, und keine Einheit sagt es
+all_in_other_unit-should = {$unit} daneben schreiben, oder die Werte in {$own}
 value_for_paper-done = {$quantity}: {$number} ist der Wert in {$unit}; gefragt sind Millimeter auf dem Papier
 value_for_paper-should = {$number} : {$scale} = {$mm} mm auf dem Papier
 values_for_paper-done = {$segments}: eingetragen sind Werte in {$unit}; gefragt sind Millimeter auf dem Papier
 values_for_paper-should = ein Wert durch {$scale} ist seine Länge auf dem Papier in Millimetern
-common_factor_degrees-done = {$values} sind das {$factor}-Fache der richtigen
+common_factor_degrees-done = {$values}, wie {$first}, sind das {$factor}-Fache der richtigen
 common_factor_degrees-should = in jedes Produkt gehen Winkelgeschwindigkeiten in Radiant pro Sekunde ein: 1 rad sind 57,2958°
-common_factor_turns-done = {$values} sind das {$factor}-Fache der richtigen
+common_factor_turns-done = {$values}, wie {$first}, sind das {$factor}-Fache der richtigen
 common_factor_turns-should = in jedes Produkt gehen Winkelgeschwindigkeiten in Radiant pro Sekunde ein: 1 Umdrehung sind 2π rad
-common_factor_rpm-done = {$values} sind das {$factor}-Fache der richtigen
+common_factor_rpm-done = {$values}, wie {$first}, sind das {$factor}-Fache der richtigen
 common_factor_rpm-should = in jedes Produkt gehen Winkelgeschwindigkeiten in Radiant pro Sekunde ein: 1 rad/s sind 9,5493 Umdrehungen pro Minute
-common_factor_minutes-done = {$values} sind das {$factor}-Fache der richtigen
+common_factor_minutes-done = {$values}, wie {$first}, sind das {$factor}-Fache der richtigen
 common_factor_minutes-should = alle Zeiten stehen in einer Einheit: eine Minute hat 60 Sekunden
-common_factor_units-done = {$values} sind das {$factor}-Fache der richtigen
+common_factor_units-done = {$values}, wie {$first}, sind das {$factor}-Fache der richtigen
 common_factor_units-should = alle Längen stehen in einer Einheit: 1 m sind 100 cm oder 1000 mm
 revolutions_per_second-done = {$rate} wurde nicht zwischen Umdrehungen je Sekunde und Radiant je Sekunde umgerechnet
 revolutions_per_second-should = rad/s = rev/s · 2π
@@ -837,6 +842,7 @@ scene-add_on = ergänzen Sie "on", das Glied, das die Führung trägt, oder "gro
 scene-add_length_unit = ergänzen Sie "length": "m", "mm", "cm", "in" oder "ft"
 scene-add_time_unit = ergänzen Sie "time": "s" oder "min"
 scene-add_speed = ergänzen Sie "speed", in Richtung der Führung
+scene-points_as_one_text = zwei Punkte als einen Text schreiben: "AB", oder "A-B", wo Namen länger sind
 scene-without_quotes = schreiben Sie {$number} ohne Anführungszeichen
 scene-with_a_point = schreiben Sie {$number} ohne Anführungszeichen und mit Dezimalpunkt
 scene-or_as_rpm = schreiben Sie {$number} ohne Anführungszeichen, oder die Drehzahl als "rpm"

@@ -93,6 +93,8 @@ coriolis = Coriolis
 # The text of the steps.
 
 scales = Scales: {$scales}
+scales_by_hand = Scales of the work sheet and of the lengths on paper below: {$scales}
+scales_of_figure = Scales of the figure: {$scales}
 scale_per_mm = {$scale} = {$value} {$unit} per mm
 bands = ± is what honest hand drawings (±{$mm} mm, ±{$degrees}°) keep to, at least 95 of 100.
 no_band_no_construction = A value has no ± where it depends on a group without a construction (a special point at infinity, or a higher class).
@@ -318,6 +320,7 @@ shape_second = two links
 shape_third = a central link on three legs
 shape_fourth = two drag links joined by two closure links, a closed contour of four
 shape_higher = more links than the classes II to IV have, or joined in another way
+structure_wheel = link {$link}: one wheel, turned by what it touches
 
 # The list of assembly modes.
 
@@ -601,19 +604,21 @@ revolutions_for_radians-done = {$rate} was not converted between revolutions per
 revolutions_for_radians-should = rad/s = rpm · π/30
 rate_in_other_unit-done = {$rate}: {$number} {$given} was given; it was taken as {$number} {$taken}
 rate_in_other_unit-should = go on with {$number} {$given}
+all_in_other_unit-done = {$values}, such as {$first}, stand there in {$unit}, and no unit says so
+all_in_other_unit-should = write {$unit} beside them, or the values in {$own}
 value_for_paper-done = {$quantity}: {$number} is the value in {$unit}; the box asks for millimetres of paper
 value_for_paper-should = {$number} : {$scale} = {$mm} mm on paper
 values_for_paper-done = {$segments}: values in {$unit} are written; the boxes ask for millimetres of paper
 values_for_paper-should = a value divided by {$scale} is its length on paper in millimetres
-common_factor_degrees-done = {$values} are {$factor} times what they should be
+common_factor_degrees-done = {$values}, such as {$first}, are {$factor} times what they should be
 common_factor_degrees-should = every product takes angular velocities in radians per second: 1 rad is 57.2958°
-common_factor_turns-done = {$values} are {$factor} times what they should be
+common_factor_turns-done = {$values}, such as {$first}, are {$factor} times what they should be
 common_factor_turns-should = every product takes angular velocities in radians per second: 1 revolution is 2π rad
-common_factor_rpm-done = {$values} are {$factor} times what they should be
+common_factor_rpm-done = {$values}, such as {$first}, are {$factor} times what they should be
 common_factor_rpm-should = every product takes angular velocities in radians per second: 1 rad/s is 9.5493 revolutions per minute
-common_factor_minutes-done = {$values} are {$factor} times what they should be
+common_factor_minutes-done = {$values}, such as {$first}, are {$factor} times what they should be
 common_factor_minutes-should = all times are in one unit: a minute has 60 seconds
-common_factor_units-done = {$values} are {$factor} times what they should be
+common_factor_units-done = {$values}, such as {$first}, are {$factor} times what they should be
 common_factor_units-should = all lengths are in one unit: 1 m is 100 cm or 1000 mm
 revolutions_per_second-done = {$rate} was not converted between revolutions per second and radians per second
 revolutions_per_second-should = rad/s = rev/s · 2π
@@ -865,6 +870,7 @@ scene-add_on = add "on", the link that carries the guide, or "ground"
 scene-add_length_unit = add "length": "m", "mm", "cm", "in" or "ft"
 scene-add_time_unit = add "time": "s" or "min"
 scene-add_speed = add "speed", along the guide
+scene-points_as_one_text = write two points as one text: "AB", or "A-B" where names are longer
 scene-without_quotes = write {$number} without quotes
 scene-with_a_point = write {$number} without quotes and with a point
 scene-or_as_rpm = write {$number} without quotes, or the speed as "rpm"

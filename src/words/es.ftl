@@ -86,6 +86,8 @@ coriolis = Coriolis
 # The text of the steps.
 
 scales = Escalas: {$scales}
+scales_by_hand = Escalas de la hoja de trabajo y de las longitudes en el papel que siguen: {$scales}
+scales_of_figure = Escalas de la figura: {$scales}
 scale_per_mm = {$scale} = {$value} {$unit} por mm
 bands = ± es lo que cumplen los dibujos a mano cuidadosos (±{$mm} mm, ±{$degrees}°), al menos 95 de 100.
 no_band_no_construction = Un valor no tiene ± cuando depende de un grupo sin construcción (un punto especial en el infinito, o una clase superior).
@@ -298,6 +300,7 @@ shape_second = dos eslabones
 shape_third = un eslabón central unido a otros tres
 shape_fourth = dos eslabones de arrastre unidos por dos eslabones de cierre, un contorno cerrado de cuatro
 shape_higher = más eslabones que los de las clases II a IV, o unidos de otra manera
+structure_wheel = eslabón {$link}: una sola rueda, que gira por lo que toca
 
 # The list of assembly modes.
 
@@ -571,19 +574,21 @@ revolutions_for_radians-done = {$rate} no se convirtió entre revoluciones por m
 revolutions_for_radians-should = rad/s = rpm · π/30
 rate_in_other_unit-done = {$rate}: el dato es {$number} {$given}; se tomó como {$number} {$taken}
 rate_in_other_unit-should = seguir con {$number} {$given}
+all_in_other_unit-done = {$values}, como {$first}, están en {$unit}, y ninguna unidad lo dice
+all_in_other_unit-should = escribir {$unit} al lado, o los valores en {$own}
 value_for_paper-done = {$quantity}: {$number} es el valor en {$unit}; se piden milímetros de papel
 value_for_paper-should = {$number} : {$scale} = {$mm} mm en el papel
 values_for_paper-done = {$segments}: se escribieron valores en {$unit}; se piden milímetros de papel
 values_for_paper-should = un valor dividido por {$scale} es su longitud en el papel en milímetros
-common_factor_degrees-done = {$values} valen {$factor} veces lo que deberían
+common_factor_degrees-done = {$values}, como {$first}, valen {$factor} veces lo que deberían
 common_factor_degrees-should = todo producto toma las velocidades angulares en radianes por segundo: 1 rad son 57,2958°
-common_factor_turns-done = {$values} valen {$factor} veces lo que deberían
+common_factor_turns-done = {$values}, como {$first}, valen {$factor} veces lo que deberían
 common_factor_turns-should = todo producto toma las velocidades angulares en radianes por segundo: 1 vuelta son 2π rad
-common_factor_rpm-done = {$values} valen {$factor} veces lo que deberían
+common_factor_rpm-done = {$values}, como {$first}, valen {$factor} veces lo que deberían
 common_factor_rpm-should = todo producto toma las velocidades angulares en radianes por segundo: 1 rad/s son 9,5493 vueltas por minuto
-common_factor_minutes-done = {$values} valen {$factor} veces lo que deberían
+common_factor_minutes-done = {$values}, como {$first}, valen {$factor} veces lo que deberían
 common_factor_minutes-should = todos los tiempos van en una unidad: un minuto tiene 60 segundos
-common_factor_units-done = {$values} valen {$factor} veces lo que deberían
+common_factor_units-done = {$values}, como {$first}, valen {$factor} veces lo que deberían
 common_factor_units-should = todas las longitudes van en una unidad: 1 m son 100 cm o 1000 mm
 revolutions_per_second-done = {$rate} no se convirtió entre revoluciones por segundo y radianes por segundo
 revolutions_per_second-should = rad/s = rev/s · 2π
@@ -835,6 +840,7 @@ scene-add_on = añada "on", el eslabón que lleva la guía, o "ground"
 scene-add_length_unit = añada "length": "m", "mm", "cm", "in" o "ft"
 scene-add_time_unit = añada "time": "s" o "min"
 scene-add_speed = añada "speed", a lo largo de la guía
+scene-points_as_one_text = escribir dos puntos como un solo texto: "AB", o "A-B" si los nombres son más largos
 scene-without_quotes = escriba {$number} sin comillas
 scene-with_a_point = escriba {$number} sin comillas y con punto
 scene-or_as_rpm = escriba {$number} sin comillas, o la velocidad como "rpm"

@@ -24,6 +24,9 @@ use crate::scene::{DecimalMark, Figure, FrameName, LanguageName};
 use crate::sheet::Sheet;
 use std::sync::OnceLock;
 
+/// About the rounding of a number near 1.
+const ROUNDED: f64 = 1e-16;
+
 /// All sentences of a language, with a method for each, which [`sentences`] declares.
 #[derive(Debug)]
 pub struct Language(LanguageName);
@@ -158,6 +161,13 @@ impl Wording {
     #[must_use]
     pub fn write(&self, x: f64, style: NumberStyle) -> String {
         style.write(x, self.decimal)
+    }
+
+    /// By which part of the largest two routes to the same numbers differ, or may differ. What is below the rounding of a number is not told
+    /// apart from nothing.
+    #[must_use]
+    pub fn agreement(&self, part: f64, style: NumberStyle) -> String {
+        if part < ROUNDED { format!("< {}", self.write(ROUNDED, style)) } else { self.write(part, style) }
     }
 
     /// A place by its written coordinates, as `(10, 5)`; beside decimal commas a semicolon separates them.

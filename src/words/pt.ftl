@@ -88,6 +88,8 @@ coriolis = Coriolis
 # The text of the steps.
 
 scales = Escalas: {$scales}
+scales_by_hand = Escalas da folha de trabalho e dos comprimentos no papel abaixo: {$scales}
+scales_of_figure = Escalas da figura: {$scales}
 scale_per_mm = {$scale} = {$value} {$unit} por mm
 bands = ± é a margem que desenhos cuidadosos à mão (±{$mm} mm, ±{$degrees}°) respeitam, pelo menos 95 em 100.
 no_band_no_construction = Um valor não tem ± quando depende de um grupo sem construção (um ponto especial no infinito, ou uma classe superior).
@@ -300,6 +302,7 @@ shape_second = dois elos
 shape_third = um elo central sobre três pernas
 shape_fourth = dois elos de arrasto unidos por dois elos de fechamento, um contorno fechado de quatro
 shape_higher = mais elos do que têm as classes II a IV, ou unidos de outra forma
+structure_wheel = elo {$link}: uma só roda, que gira pelo que toca
 
 # The list of assembly modes.
 
@@ -573,19 +576,21 @@ revolutions_for_radians-done = {$rate} não foi convertido entre rotações por 
 revolutions_for_radians-should = rad/s = rpm · π/30
 rate_in_other_unit-done = {$rate}: o dado é {$number} {$given}; foi tomado como {$number} {$taken}
 rate_in_other_unit-should = continuar com {$number} {$given}
+all_in_other_unit-done = {$values}, como {$first}, estão em {$unit}, e nenhuma unidade o diz
+all_in_other_unit-should = escrever {$unit} ao lado, ou os valores em {$own}
 value_for_paper-done = {$quantity}: {$number} é o valor em {$unit}; pedem-se milímetros de papel
 value_for_paper-should = {$number} : {$scale} = {$mm} mm no papel
 values_for_paper-done = {$segments}: foram escritos valores em {$unit}; pedem-se milímetros de papel
 values_for_paper-should = um valor dividido por {$scale} é seu comprimento no papel em milímetros
-common_factor_degrees-done = {$values} valem {$factor} vezes o que deveriam
+common_factor_degrees-done = {$values}, como {$first}, valem {$factor} vezes o que deveriam
 common_factor_degrees-should = todo produto toma as velocidades angulares em radianos por segundo: 1 rad são 57,2958°
-common_factor_turns-done = {$values} valem {$factor} vezes o que deveriam
+common_factor_turns-done = {$values}, como {$first}, valem {$factor} vezes o que deveriam
 common_factor_turns-should = todo produto toma as velocidades angulares em radianos por segundo: 1 volta são 2π rad
-common_factor_rpm-done = {$values} valem {$factor} vezes o que deveriam
+common_factor_rpm-done = {$values}, como {$first}, valem {$factor} vezes o que deveriam
 common_factor_rpm-should = todo produto toma as velocidades angulares em radianos por segundo: 1 rad/s são 9,5493 voltas por minuto
-common_factor_minutes-done = {$values} valem {$factor} vezes o que deveriam
+common_factor_minutes-done = {$values}, como {$first}, valem {$factor} vezes o que deveriam
 common_factor_minutes-should = todos os tempos ficam em uma unidade: um minuto tem 60 segundos
-common_factor_units-done = {$values} valem {$factor} vezes o que deveriam
+common_factor_units-done = {$values}, como {$first}, valem {$factor} vezes o que deveriam
 common_factor_units-should = todos os comprimentos ficam em uma unidade: 1 m são 100 cm ou 1000 mm
 revolutions_per_second-done = {$rate} não foi convertido entre rotações por segundo e radianos por segundo
 revolutions_per_second-should = rad/s = rev/s · 2π
@@ -837,6 +842,7 @@ scene-add_on = acrescente "on", o elo que leva a guia, ou "ground"
 scene-add_length_unit = acrescente "length": "m", "mm", "cm", "in" ou "ft"
 scene-add_time_unit = acrescente "time": "s" ou "min"
 scene-add_speed = acrescente "speed", ao longo da guia
+scene-points_as_one_text = escrever dois pontos como um só texto: "AB", ou "A-B" se os nomes forem mais longos
 scene-without_quotes = escreva {$number} sem aspas
 scene-with_a_point = escreva {$number} sem aspas e com ponto
 scene-or_as_rpm = escreva {$number} sem aspas, ou a velocidade como "rpm"

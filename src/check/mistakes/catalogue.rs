@@ -323,17 +323,19 @@ macro_rules! catalogue {
             /// A value in another unit of length than the scene's, or where millimetres of paper are asked for, and no unit beside it.
             OtherUnit "other-unit" 3.0 copying::other_unit {
                 other_unit(quantity, number, unit, own)
+                /// All values of a kind.
+                all_in_other_unit(values, first, unit, own)
                 value_for_paper(quantity, number, unit, scale, mm)
                 /// All of a sheet.
                 values_for_paper(segments, unit, scale)
             }
             /// All values of a kind too large or too small by one factor.
             CommonFactor "common-factor" 5.0 copying::common_factor {
-                common_factor_degrees(values, factor)
-                common_factor_turns(values, factor)
-                common_factor_rpm(values, factor)
-                common_factor_minutes(values, factor)
-                common_factor_units(values, factor)
+                common_factor_degrees(values, first, factor)
+                common_factor_turns(values, first, factor)
+                common_factor_rpm(values, first, factor)
+                common_factor_minutes(values, first, factor)
+                common_factor_units(values, first, factor)
             }
             /// A value wrong for a reason that the catalogue does not know, and used in later operations.
             Unknown "unknown" 10.0 unknown::everywhere {

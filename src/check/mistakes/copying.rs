@@ -167,6 +167,14 @@ pub(super) fn truncated(site: &Site<'_>) -> Vec<Candidate> {
 /// Metric units of length, in millimetres.
 const METRIC: [(&str, f64); 3] = [("m", 1000.0), ("cm", 10.0), ("mm", 1.0)];
 
+/// A unit with the other metric units of length in place of its own, each with what it is in that; none of one that does not begin with such a unit.
+fn in_metric(own: &str) -> impl Iterator<Item = (String, f64)> {
+    let head = own.split('/').next().unwrap_or("");
+    let metric = METRIC.iter().find(|m| m.0 == head);
+    let others = metric.into_iter().flat_map(move |(_, one)| METRIC.iter().map(move |(name, size)| (name, size / one)));
+    others.filter(move |(name, _)| **name != head).map(move |(name, factor)| (own.replacen(head, name, 1), factor))
+}
+
 /// The number is right in the scene's unit, not in the one written beside it.
 pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
@@ -214,24 +222,33 @@ pub(super) fn other_unit(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = values_for_paper(site);
     for (index, entry) in written(site) {
         let own = entry.asked.kind().unit(site.key.solution.scene.units);
-        let head = own.split('/').next().unwrap_or("");
-        let Some(metric) = METRIC.iter().find(|m| m.0 == head) else {
-            continue;
-        };
         // Nothing is nothing in every unit.
         if entry.unit.is_some() || entry.on_paper || entry.value == 0.0 {
             continue;
         }
-        for (name, size) in METRIC.iter().filter(|m| m.0 != head) {
-            let other = own.replacen(head, name, 1);
-            found.extend(in_unit(site, tell::other_unit, index, size / metric.1, [&other, &own]));
+        let kind = entry.asked.kind();
+        let is_like = |other: &Entry| other.asked.kind() == kind && other.unit.is_none() && !other.on_paper;
+        let all: Vec<(usize, &Entry)> =
+            written(site).filter(|(_, other)| is_like(other) && other.value != 0.0).collect();
+        let is_first = all.first().is_some_and(|(first, _)| *first == index);
+        for (other, factor) in in_metric(&own) {
+            found.extend(in_unit(site, tell::other_unit, index, factor, [&other, &own]));
+            if is_first {
+                let told = tell::all_in_other_unit(
+                    Blank::AllOf(kind),
+                    named(entry),
+                    other.as_str().into(),
+                    own.as_str().into(),
+                );
+                found.extend(all_meant(site, told, &all, factor));
+            }
         }
     }
     found
 }
 
 /// What may be said of values of one kind that are all too large or too small by one factor.
-type CommonFactor = (f64, fn(Blank, Blank) -> Told);
+type CommonFactor = (f64, fn(Blank, Blank, Blank) -> Told);
 
 /// Factors of rates of rotation in other units than radians per second, and of what is computed with them.
 const TURNING: [CommonFactor; 4] = [
@@ -276,19 +293,28 @@ pub(super) fn common_factor(site: &Site<'_>) -> Vec<Candidate> {
         // Nothing is nothing times any factor.
         let all: Vec<(usize, &Entry)> =
             written(site).filter(|(_, entry)| entry.asked.kind() == kind && entry.value != 0.0).collect();
-        if all.len() < 2 {
-            continue;
-        }
         let both = common_factors(kind).into_iter().flat_map(|(factor, told)| [(factor, told), (1.0 / factor, told)]);
-        for (factor, told) in both {
+        // What a metric unit explains is `other_unit`.
+        let unit = kind.unit(site.key.solution.scene.units);
+        let is_metric = |factor: f64| in_metric(&unit).any(|(_, other)| (other * factor - 1.0).abs() < 1e-9);
+        for (factor, told) in both.filter(|(factor, _)| !is_metric(*factor)) {
             let number = NumberStyle::significant(4).trimmed().write(factor, DecimalMark::Point);
-            let meant =
-                all.iter().map(|(index, entry)| meant_as(*index, entry.value / factor, entry.rounding / factor));
-            let all = misread(site, told(Blank::AllOf(kind), Blank::Number(number)), meant.collect());
-            found.extend(all.into_iter().map(|candidate| Candidate { step: 0, ..candidate }));
+            let Some((_, first)) = all.first() else { continue };
+            let told = told(Blank::AllOf(kind), named(first), Blank::Number(number));
+            found.extend(all_meant(site, told, &all, 1.0 / factor));
         }
     }
     found
+}
+
+/// All values of a kind, two at least, that are meant `factor` times as large.
+fn all_meant(site: &Site<'_>, told: Told, all: &[(usize, &Entry)], factor: f64) -> Vec<Candidate> {
+    if all.len() < 2 {
+        return Vec::new();
+    }
+    let meant = all.iter().map(|(index, entry)| meant_as(*index, entry.value * factor, entry.rounding * factor));
+    let found = misread(site, told, meant.collect());
+    found.into_iter().map(|candidate| Candidate { step: 0, ..candidate }).collect()
 }
 
 /// A value that is meant in another unit: `factor` times as large. `units`: as the sentences name them.

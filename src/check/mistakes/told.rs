@@ -216,6 +216,11 @@ impl Told {
         self.key == other.key && self.blanks.iter().zip(&other.blanks).all(alike)
     }
 
+    /// Whether it is a mistake in all values of a kind.
+    pub(in crate::check) fn is_of_a_kind(&self) -> bool {
+        matches!(self.blanks.first(), Some((_, Blank::AllOf(_))))
+    }
+
     /// The quantity with which the sentences begin, as that of a rate that was taken wrongly.
     pub(in crate::check) fn quantity(&self) -> Option<&str> {
         match self.blanks.first() {

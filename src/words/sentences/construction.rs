@@ -85,6 +85,8 @@ sentences! {
 
     // The text of the steps.
     scales(scales);
+    scales_by_hand(scales);
+    scales_of_figure(scales);
     scale_per_mm(scale, value, unit);
     bands(mm, degrees);
     no_band_no_construction;

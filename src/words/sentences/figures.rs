@@ -128,6 +128,7 @@ sentences! {
     shape_third;
     shape_fourth;
     shape_higher;
+    structure_wheel(link);
 
     // The list of assembly modes.
     modes(count);
