@@ -1147,7 +1147,9 @@ scene-a_figure_with_steps = uma figura com passos
 scene-by_hand = uma construção à mão
 scene-too_many_links = {$what} tem no máximo {$most} elos, e aqui há {$count}
 scene-too_many_points_in = {$what} tem no máximo {$most} pontos, e aqui há {$count}
+scene-too_many_loads = {$what} tem no máximo {$most} forças, binários e molas, e aqui há {$count}
 scene-divide_mechanism = divida o mecanismo: o que depende só dos acionamentos pode ser uma cena à parte
+scene-replace_loads = substitua as cargas de um mesmo elo pela sua resultante
 
 # What stands after "expected": types say it in English to serde, which hands over nothing but text.
 

@@ -323,11 +323,10 @@ impl Writer<'_> {
 }
 
 impl Lever {
-    /// Whether something of a force is seen.
+    /// Something is seen of a force that is larger than this.
     #[must_use]
-    pub fn shows(&self, force: &LeverForce) -> bool {
-        let largest = self.forces.iter().map(|force| force.size).fold(0.0, f64::max);
-        force.size > NOTHING * largest
+    pub fn least_shown(&self) -> f64 {
+        NOTHING * self.forces.iter().map(|force| force.size).fold(0.0, f64::max)
     }
 
     /// The places on it, in units of velocity.
