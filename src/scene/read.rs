@@ -206,6 +206,18 @@ impl Scene {
     }
 }
 
+impl Scene {
+    /// How many forces and couples it has, and how many springs.
+    fn counts_of_loads(&self) -> [usize; 2] {
+        self.loads.as_ref().map_or([0; 2], |loads| [loads.loads.len(), loads.springs.len()])
+    }
+
+    /// How many forces, couples and springs it has.
+    pub(crate) fn count_of_loads(&self) -> usize {
+        self.counts_of_loads().iter().sum()
+    }
+}
+
 /// How large a scene may be for what is done with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SizeLimit {
@@ -248,8 +260,7 @@ impl SizeLimit {
             Limited::Steps => says::a_figure_with_steps(),
             Limited::Hand => says::by_hand(),
         };
-        let [forces, springs] = scene.loads.as_ref().map_or([0; 2], |loads| [loads.loads.len(), loads.springs.len()]);
-        let loads = forces + springs;
+        let ([forces, springs], loads) = (scene.counts_of_loads(), scene.count_of_loads());
         let (key, message, hint) = if scene.links.len() > self.links {
             ("links", says::too_many_links(what, self.links, scene.links.len()), says::divide_mechanism())
         } else if points > self.points {
