@@ -196,8 +196,8 @@ pub fn shortest(known: &Diagram, reached: &[Crossed], wanted: &[Two], figure: &i
 
 /// How many choices are tried.
 const WORK: usize = 40_000;
-/// How many crossings are looked at for them: as many as so many choices have in a mechanism of ten links. In a larger one fewer are tried.
-const LOOKS: usize = 28 * WORK;
+/// How many crossings are looked at for them: forty times as many as chains of eight links need. In a larger one fewer choices are tried.
+const LOOKS: usize = 100_000;
 
 /// Of crossings, each after those it needs, the ones that these centres need.
 fn needed(crossings: &[Crossed], wanted: &[Two]) -> Vec<Crossed> {
