@@ -235,6 +235,7 @@ enum Limited {
     Scene,
     Figure,
     Steps,
+    Board,
     Hand,
 }
 
@@ -245,6 +246,8 @@ impl SizeLimit {
     pub const FIGURE: SizeLimit = SizeLimit { links: 3_000, points: 10_000, loads: 1_000, what: Limited::Figure };
     /// For steps, whose sheets grow as the square of the links.
     pub const STEPS: SizeLimit = SizeLimit { links: 150, points: 1_000, loads: 100, what: Limited::Steps };
+    /// For a drawing that is judged operation by operation, each by all that was made before.
+    pub const BOARD: SizeLimit = SizeLimit { links: 75, what: Limited::Board, ..SizeLimit::STEPS };
     /// For what is drawn by hand: errors of all lines go through to all later ones.
     pub const HAND: SizeLimit = SizeLimit { links: 1_000, points: 2_000, loads: 300, what: Limited::Hand };
 
@@ -258,6 +261,7 @@ impl SizeLimit {
             Limited::Scene => says::a_scene(),
             Limited::Figure => says::a_figure(),
             Limited::Steps => says::a_figure_with_steps(),
+            Limited::Board => says::a_drawing_judged(),
             Limited::Hand => says::by_hand(),
         };
         let ([forces, springs], loads) = (scene.counts_of_loads(), scene.count_of_loads());

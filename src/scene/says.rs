@@ -416,6 +416,7 @@ messages! { "scene":
     a_scene;
     a_figure;
     a_figure_with_steps;
+    a_drawing_judged;
     by_hand;
     too_many_links(what, most, count);
     too_many_points_in(what, most, count);

@@ -1144,6 +1144,7 @@ scene-ground_is_at_rest = Punkt {$point} gehört zum Gestell und bewegt sich nic
 scene-a_scene = eine Szene
 scene-a_figure = ein Bild
 scene-a_figure_with_steps = ein Bild mit Schritten
+scene-a_drawing_judged = eine Zeichnung, die geprüft wird,
 scene-by_hand = eine Konstruktion von Hand
 scene-too_many_links = {$what} hat höchstens {$most} Glieder, und hier sind {$count}
 scene-too_many_points_in = {$what} hat höchstens {$most} Punkte, und hier sind {$count}

@@ -1144,6 +1144,7 @@ scene-ground_is_at_rest = o ponto {$point} está na base e não se move
 scene-a_scene = uma cena
 scene-a_figure = uma figura
 scene-a_figure_with_steps = uma figura com passos
+scene-a_drawing_judged = um desenho a conferir
 scene-by_hand = uma construção à mão
 scene-too_many_links = {$what} tem no máximo {$most} elos, e aqui há {$count}
 scene-too_many_points_in = {$what} tem no máximo {$most} pontos, e aqui há {$count}

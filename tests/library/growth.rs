@@ -2,7 +2,8 @@
 //! not sixteen times. Time is that of this thread on its core, where the system tells it.
 
 use kinegon::accuracy::bounds;
-use kinegon::check::{DEPTH, Measured, check, form_names};
+use kinegon::board::{Given, HandDrawing, Judge, own_drawing};
+use kinegon::check::{AnswerKey, DEPTH, Measured, check, form_names};
 use kinegon::construction::Tolerance;
 use kinegon::drawing::{Film, HeldLayout, Timing};
 use kinegon::editing::{tables_in_files, with_tables};
@@ -190,6 +191,28 @@ fn with_loads(loads: impl Iterator<Item = Value>, panels: &[&str]) -> String {
     scene.to_string()
 }
 
+/// A drawing with all sizes wrong: each operation is judged by all that was made before, but in a construction that nobody draws by hand no
+/// mistakes of the catalogue are gone through for it.
+#[test]
+fn drawings_that_are_wrong() {
+    let with = |count: usize| {
+        let own = solution(&four_bars(count));
+        let mut drawing: Value = serde_json::from_str(&own_drawing(&Given::new(&own), &own.scales())).expect("JSON");
+        let entries = drawing["did"].as_array_mut().expect("a list");
+        for size in entries.iter_mut().filter_map(|entry| entry.get_mut("size")) {
+            *size = format!("2 * ({})", size.as_str().expect("a formula")).into();
+        }
+        let judge = Judge::new(&AnswerKey::new(&own, None));
+        (judge, HandDrawing::read(&drawing.to_string()).expect("a drawing"))
+    };
+    let judged = |(judge, drawing): &(Judge, HandDrawing)| {
+        let judged = judge.judge(drawing).expect("it can be carried out");
+        assert!(judged.first_wrong().is_some());
+    };
+    // Some twenty operations for each.
+    grows_at_most(25.0, "a wrong drawing", growth(6, with, judged));
+}
+
 /// Each load is looked up among the others once, and couples without a name are counted on.
 #[test]
 fn reading_loads() {
@@ -208,7 +231,8 @@ fn reading_loads() {
 fn loads_on_a_lever() {
     let forces = |count: usize| {
         // All but one are too small to be seen and to have a name, which would take most of the time.
-        let force = |k| json!({ "on": "2", "at": [k % 100, 1 + k / 100], "force": [if k == 0 { 1e12 } else { 1.0 }, -2] });
+        let force =
+            |k| json!({ "on": "2", "at": [k % 100, 1 + k / 100], "force": [if k == 0 { 1e12 } else { 1.0 }, -2] });
         solution(&with_loads((0..count).map(force), &["lever"]))
     };
     is_in_proportion("a lever", growth(100, forces, |own| drop(own.figure())));

@@ -56,7 +56,6 @@ fn each_command_states_its_limit_of_loads() {
         (&["draw", "-", "--layered", "-o", "-"], "a figure with steps", 100),
         (&["draw", "-", "--format", "html", "-o", "-"], "a figure with steps", 100),
         (&["steps", "-"], "a construction by hand", 300),
-
         (&["solve", "-", "--pencil"], "a construction by hand", 300),
         (&["solve", "-"], "a scene", 10_000),
     ] {
@@ -70,6 +69,21 @@ fn each_command_states_its_limit_of_loads() {
     }
     let output = with_scene(&["steps", "-"], &loaded(20));
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+}
+
+/// A drawing is judged operation by operation, each by all before.
+#[test]
+fn a_drawing_to_be_checked_has_a_limit() {
+    let folder = scratch("large-drawing");
+    let drawing = folder.join("drawing.json");
+    std::fs::write(&drawing, r#"{ "kinegon_drawing": 1, "did": [] }"#).expect("the test's folder can be written");
+    let output = with_scene(&["check", "-", drawing.to_str().expect("a path of letters")], &scene(76));
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        message.contains("drawing.json: a drawing to be checked has at most 75 links, and here are 76"),
+        "{message}"
+    );
 }
 
 #[test]
