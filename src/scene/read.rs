@@ -247,7 +247,7 @@ impl SizeLimit {
     /// For steps, whose sheets grow as the square of the links.
     pub const STEPS: SizeLimit = SizeLimit { links: 150, points: 1_000, loads: 100, what: Limited::Steps };
     /// For a drawing that is judged operation by operation, each by all that was made before.
-    pub const BOARD: SizeLimit = SizeLimit { links: 75, what: Limited::Board, ..SizeLimit::STEPS };
+    pub const BOARD: SizeLimit = SizeLimit { links: 75, points: 200, what: Limited::Board, ..SizeLimit::STEPS };
     /// For what is drawn by hand: errors of all lines go through to all later ones.
     pub const HAND: SizeLimit = SizeLimit { links: 1_000, points: 2_000, loads: 300, what: Limited::Hand };
 
