@@ -4,6 +4,7 @@ use kinegon::board::{DrawingResult, Given, HandDrawing, Judge, own_drawing};
 use kinegon::check::{AnswerKey, Awarded, Checked, Feedback, Marks, Measured, Prepared, check_result, redrawn, report};
 use kinegon::drawing::{Drawing, overlay};
 use kinegon::format::json_line;
+use kinegon::scene::SizeLimit;
 use pyo3::FromPyObject;
 
 /// How values are checked.
@@ -60,6 +61,7 @@ impl Solution {
         let key_of = |solution| AnswerKey { depth: options.depth, ..AnswerKey::new(solution, hand) };
         let mut drawing = None;
         let measured = if HandDrawing::is_one(form) {
+            self.allow(SizeLimit::BOARD)?;
             // A drawing is checked and marked by what it gives.
             let (judge, drawn, words) = (Judge::new(&key_of(shown)), HandDrawing::read(form)?, shown.wording());
             let judged = judge.judge(&drawn).map_err(|error| {

@@ -65,7 +65,7 @@ impl Solution {
         self.solved(Order::Acceleration)
     }
 
-    fn allow(&self, limit: SizeLimit) -> Result<(), Refused> {
+    pub fn allow(&self, limit: SizeLimit) -> Result<(), Refused> {
         limit.check(&self.scene.scene).map_err(|error| self.scene.refused(error))
     }
 

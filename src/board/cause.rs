@@ -165,7 +165,7 @@ impl<'j> Causes<'j> {
             }
             for number in kind.numbers() {
                 let number_name = construction.number_name(mechanism, *number);
-                let is_found = own.numbers().any(|(own, _)| own == number_name) && !unfounded.contains(&number_name);
+                let is_found = own.number_of(&number_name).is_some() && !unfounded.contains(&number_name);
                 numbers[number.0] = has_all || is_found;
                 if number_name == name || given.same_rates(name).any(|same| same == number_name) {
                     found.push(numbers[number.0]);
@@ -197,22 +197,24 @@ impl<'j> Causes<'j> {
         let construction = given.construction();
         let scales = self.judge.usual_scales();
         let mut values = construction.run(scales, &[]);
+        let [places, ..] = construction.counts();
+        let mut drawn = vec![None; places];
+        for (sheet, name, place) in construction.named_places() {
+            drawn[place.0] = drawn[place.0].or_else(|| own.place(sheet, name));
+        }
         for operation in &construction.operations {
             values.repeat(operation, [0.0; 2], scales);
-            if let Some(place) = operation.kind.place() {
-                let mut names = construction.named_places().filter(|(.., other)| *other == place);
-                let at = names.find_map(|(sheet, name, _)| own.place(sheet, name));
-                at.into_iter().for_each(|at| values.put_place(place, at));
+            if let Some((place, at)) = operation.kind.place().and_then(|place| Some((place, drawn[place.0]?))) {
+                values.put_place(place, at);
             }
             for number in operation.kind.numbers() {
-                let name = construction.number_name(given.mechanism(), *number);
-                let found = own.numbers().find(|(own, _)| *own == name);
+                let found = own.number_of(&construction.number_name(given.mechanism(), *number));
                 match (found, &operation.kind) {
                     // What is measured has the sign that the sheet shows.
-                    (Some((_, found)), OperationKind::Measure { .. }) => {
+                    (Some(found), OperationKind::Measure { .. }) => {
                         values.put_number(*number, found.abs() * values.number(*number).signum());
                     }
-                    (Some((_, found)), _) => values.put_number(*number, found),
+                    (Some(found), _) => values.put_number(*number, found),
                     (None, _) => {}
                 }
             }

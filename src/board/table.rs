@@ -116,6 +116,12 @@ impl<'g> Table<'g> {
         self.numbers.iter().map(|(name, number)| (name.as_str(), *number))
     }
 
+    /// The number that has been found under just this name.
+    #[must_use]
+    pub fn number_of(&self, name: &str) -> Option<f64> {
+        self.numbers.get(name).copied()
+    }
+
     /// Puts down what an entry has made.
     pub fn put(&mut self, made: Made) {
         match made {

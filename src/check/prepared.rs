@@ -286,7 +286,7 @@ struct Explained {
 
 /// Most operations of a construction in which mistakes are looked for: some fifty links. Nobody draws more by hand, and places for mistakes
 /// grow with their square.
-const SEARCHED: usize = 500;
+pub(super) const SEARCHED: usize = 500;
 
 /// At how many values of a large form the search for mistakes looks: its work grows with their number's third power.
 #[derive(Clone, Copy)]

@@ -3,6 +3,7 @@
 use super::measured::AnswerKey;
 use super::mistakes::{Candidate, Site};
 use super::model::{Model, in_order};
+use super::prepared::SEARCHED;
 use crate::construction::{Change, LineId, OperationKind, PlaceId, Solution};
 use crate::geometry::Vector;
 use crate::sheet::{PerSheet, Sheet};
@@ -48,8 +49,11 @@ pub(crate) enum Touched {
 }
 
 impl<'a> Replayed<'a> {
-    /// The mistakes that can be made in a construction; `None` where it cannot be gone through.
+    /// The mistakes that can be made in a construction; `None` where it cannot be gone through, or nobody draws so much by hand.
     pub fn new(solution: &'a Solution, scales: PerSheet<f64>) -> Option<Replayed<'a>> {
+        if solution.construction.operations.len() > SEARCHED {
+            return None;
+        }
         let key = AnswerKey::new(solution, None);
         let model = Model::new(&key, solution, scales.map(Some), &[]).ok()?;
         let site = Site { model: &model, key: &key, entries: &[], tolerances: &[], other_modes: 0 };

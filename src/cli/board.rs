@@ -9,6 +9,7 @@ use crate::check::{AnswerKey, ClassMistake, Measured, Mistake};
 use crate::format;
 use crate::message::Message;
 use crate::problem::Problem;
+use crate::scene::SizeLimit;
 use crate::text::Untrusted;
 use serde_json::json;
 use std::path::Path;
@@ -16,6 +17,7 @@ use std::path::Path;
 /// Judges a drawing, with marks for what it gives where there is a scheme, and prints what is found.
 pub(super) fn judge(subject: &Subject<'_>, text: &Source, as_json: bool) -> Result<(), Failure> {
     let key = subject.key.key();
+    SizeLimit::BOARD.check(&key.solution.scene).map_err(|error| Failure::of_option(&text.name, error))?;
     let judge = Judge::new(key);
     let drawing = judge.read(&text.text).map_err(|error| text.fail(error))?;
     let judged = judge.judge(&drawing).map_err(|error| {
@@ -64,9 +66,10 @@ pub(super) struct Drawn {
 pub(super) fn drawn(path: &Path, key: &AnswerKey<'_>) -> Result<Option<Drawn>, String> {
     // What is no file, or no text, is refused where forms are read.
     let Some(text) = text_in_folder(path).ok().filter(|text| HandDrawing::is_one(&text.text)) else { return Ok(None) };
+    let words = key.solution.wording();
+    SizeLimit::BOARD.check(&key.solution.scene).map_err(|error| words.language.says(&error.message))?;
     let judge = Judge::new(key);
     let drawing = judge.read(&text.text).map_err(|error| text.fail(error).line(""))?;
-    let words = key.solution.wording();
     let judged = judge.judge(&drawing);
     let judged =
         judged.map_err(|BoardError { entry, message }| format!("did.{entry}: {}", words.language.says(&message)))?;

@@ -79,7 +79,7 @@ impl Failure {
         Failure::Misuse(message.to_string().into())
     }
 
-    /// What is asked for by an option does not fit the scene.
+    /// What is asked for by an option, or in another file, does not fit the scene.
     pub(super) fn of_option(option: &str, SceneError { message, hint, .. }: SceneError) -> Failure {
         Failure::Misuse(Problem { message: format!("{option}: {message}").into(), hint })
     }

@@ -53,13 +53,13 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
                 _ => {}
             }
         }
-        let panel = LeverOnPaper { view, context, lever, index };
+        let panel = LeverOnPaper::new(view, context, index);
         canvas.step = turned;
         panel.images(canvas);
         panel.couples(canvas);
         for (number, force) in panel.forces() {
             canvas.step = arms[number];
-            if !panel.is_crowded() {
+            if !panel.is_crowded {
                 panel.arm(canvas, number, force);
             }
             panel.force(canvas, number, force);
@@ -72,11 +72,13 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
 
 /// Draws the arms of crowded levers, each in its step alone.
 pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
+    let levers = 0..context.construction().levers.len();
+    let panels: Vec<LeverOnPaper<'_>> = levers.map(|index| LeverOnPaper::new(view, context, index)).collect();
     for step in context.construction().numbered_steps() {
         let Action::Lever(LeverStep::Arm(index, number)) = *step.action else { continue };
-        let panel = LeverOnPaper { view, context, lever: &context.construction().levers[index], index };
+        let panel = &panels[index];
         let force = panel.lever.forces[number];
-        if panel.is_crowded() && panel.shows(&force) {
+        if panel.is_crowded && panel.shown[number] {
             canvas.step = step.number as u16;
             let before = canvas.drawing.marks.len();
             panel.arm(canvas, number, &force);
@@ -91,26 +93,30 @@ struct LeverOnPaper<'a> {
     context: &'a SheetContext<'a>,
     lever: &'a Lever,
     index: usize,
+    /// By force: whether it is seen. One that acts in the pole has no moment.
+    shown: Vec<bool>,
+    /// Whether there are too many arms to be seen at once.
+    is_crowded: bool,
 }
 
-impl LeverOnPaper<'_> {
+impl<'a> LeverOnPaper<'a> {
+    fn new(view: &'a View, context: &'a SheetContext<'_>, index: usize) -> Self {
+        let lever = &context.construction().levers[index];
+        let is_in_pole = |force: &LeverForce| (view.at(force.at.into()) - view.at(lever.pole.into())).hypot() <= SHARED;
+        let least = lever.least_shown();
+        let shown = lever.forces.iter().map(|force| force.size > least && !is_in_pole(force));
+        let shown: Vec<bool> = shown.collect();
+        let is_crowded = shown.iter().filter(|is_shown| **is_shown).count() > ARMS;
+        LeverOnPaper { view, context, lever, index, shown, is_crowded }
+    }
+
     fn at(&self, at: Vector) -> Point {
         self.view.at(at.into())
     }
 
-    /// Whether a force is seen: one that acts in the pole has no moment.
-    fn shows(&self, force: &LeverForce) -> bool {
-        (self.at(force.at) - self.at(self.lever.pole)).hypot() > SHARED && self.lever.shows(force)
-    }
-
     /// The forces that are seen, by their indices.
     fn forces(&self) -> impl Iterator<Item = (usize, &LeverForce)> {
-        self.lever.forces.iter().enumerate().filter(|(_, force)| self.shows(force))
-    }
-
-    /// Whether there are too many arms to be seen at once.
-    fn is_crowded(&self) -> bool {
-        self.forces().count() > ARMS
+        self.lever.forces.iter().enumerate().filter(|(number, _)| self.shown[*number])
     }
 
     fn images(&self, canvas: &mut Canvas<'_>) {

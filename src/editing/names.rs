@@ -9,7 +9,8 @@ use super::document::{Document, Word};
 use super::says;
 use crate::construction::image_name;
 use crate::scene::{
-    Argument, Bearer, Meaning, QuantityName, Scene, SceneError, close, couple_name, meaning, pair, why_not,
+    Argument, Bearer, Meaning, QuantityName, Scene, SceneError, close, couple_name, couple_number, meaning, pair,
+    why_not,
 };
 
 /// What has a name.
@@ -259,10 +260,8 @@ impl<'a> Renamer<'a> {
     /// The name of a load, as `weight(2)`, `friction(3/2)` or `friction(B,2)`, or of a couple without a name of its own, as `M3`.
     fn load(&self, name: &str) -> Option<String> {
         if self.what == Named::Link && self.names.couples.contains(self.from) && !self.names.of_loads.contains(name) {
-            // Of several on a link each has a prime more.
-            let primes: String = name.chars().skip(1).take_while(|c| *c == '\'').collect();
-            if name == couple_name(&primes, self.from) {
-                return Some(couple_name(&primes, self.to));
+            if let Some(number) = couple_number(name, self.from) {
+                return Some(couple_name(number, self.to));
             }
         }
         let (of, link) = name.strip_suffix(')')?.split_once('(')?;

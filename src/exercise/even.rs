@@ -18,6 +18,8 @@ const SEEN: usize = 5;
 const EVEN: f64 = 16.0;
 /// Most rounds in which one number after another is changed.
 const ROUNDS: usize = 12;
+/// Most numbers of which combinations are tried: each round solves variants for each of them.
+const MOST_KNOBS: usize = 16;
 /// What a change by a factor of two costs, in the logarithm of that ratio: of what is given for its own sake, more.
 const COST: f64 = 0.05;
 const COST_OF_LOAD: f64 = 0.3;
@@ -45,10 +47,14 @@ struct Changed<'a> {
     by: Vec<(Knob, i32)>,
 }
 
-/// The scene with loads that are more alike, and what has changed, in symbols; `None` where its polygons stay too unequal. Of the ways with gravity
+/// The scene with loads that are more alike, and what has changed, in symbols; `None` where its polygons stay too unequal, or it
+/// has more than 16 loads. Of the ways with gravity
 /// and without, the one that changes less.
 pub(super) fn evened(base: &Value, on_guides: &[OnGuide], figure: &Figure) -> Option<(Value, String)> {
     let knobs = knobs(base);
+    if knobs.len() > MOST_KNOBS {
+        return None;
+    }
     let starts = if knobs.contains(&Knob::Gravity) { 0..=1 } else { 0..=0 };
     let found = starts.filter_map(|start| {
         let by = knobs.iter().map(|knob| (knob.clone(), if *knob == Knob::Gravity { start } else { 0 })).collect();

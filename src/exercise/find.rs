@@ -23,10 +23,10 @@ fn marks_of(asked: &IndexMap<String, f64>) -> Value {
     asked.iter().map(|(name, marks)| (name.clone(), json_number(*marks))).collect::<Map<String, Value>>().into()
 }
 
-/// Most variants that are tried for each exercise; fewer of a mechanism with very many points, each of which takes long.
+/// Most variants that are tried for each exercise; fewer of a mechanism with very many points and loads, each of which takes long.
 const TRIES: usize = 1000;
 const LEAST_TRIES: usize = 50;
-/// So many points of variants are looked at.
+/// So many points and loads of variants are looked at.
 const POINTS: usize = 20_000;
 
 /// Variants that are tried to find whether A4 sheets are large enough …
@@ -143,7 +143,8 @@ impl Exercises {
             figure,
             seed,
             random: Random(seed),
-            tries: (POINTS / solution.mechanism.points.len().max(1)).clamp(LEAST_TRIES, TRIES),
+            tries: (POINTS / (solution.mechanism.points.len() + scene.count_of_loads()).max(1))
+                .clamp(LEAST_TRIES, TRIES),
             unequal: forces::too_unequal(solution),
             number: 0,
             seen: BTreeSet::new(),
@@ -175,7 +176,7 @@ impl Exercises {
     /// The next exercise.
     ///
     /// # Errors
-    /// None of 1000 variants, or fewer of a mechanism with very many points, was an exercise; says what was wrong most often.
+    /// None of 1000 variants, or fewer of a mechanism with very many points or loads, was an exercise; says what was wrong most often.
     #[expect(clippy::should_implement_trait, reason = "there is no end to iterate to")]
     pub fn next(&mut self) -> Result<Exercise, ExerciseError> {
         self.number += 1;

@@ -146,6 +146,12 @@ fn placement_across(mechanism: &Mechanism, slider: &Slider, from: BodyId, s: f64
     if slider.on == from { forward } else { forward.inverse() }
 }
 
+/// The direction in the frame of `from` in which the body on the other side of a slider moves as its position grows.
+fn way_across(slider: &Slider, from: BodyId) -> Vector {
+    let (_, direction) = slider.line();
+    if slider.on == from { direction } else { -(slider.turn().inverse() * direction) }
+}
+
 /// The given position of a driven slider; zero for a free one.
 pub(super) fn driven_position(slider: &Slider) -> f64 {
     let position = slider.drive.and_then(|drive| drive.position);
@@ -187,10 +193,8 @@ impl LegJoint {
                 place: middle_frame * mechanism.joint_on(joint, middle),
             },
             Some(slider) => {
-                let at = |s: f64| middle_frame * placement_across(mechanism, slider, middle, s) * side_frame.inverse();
-                let (frame, shifted) = (at(0.0), at(1.0));
-                // The difference of two placements gives the direction exactly enough for a start.
-                let along = (shifted.translation.vector - frame.translation.vector).normalize();
+                let frame = middle_frame * placement_across(mechanism, slider, middle, 0.0) * side_frame.inverse();
+                let along = middle_frame.rotation * way_across(slider, middle);
                 LegJoint::Slide { frame, along }
             }
         }

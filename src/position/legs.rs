@@ -26,6 +26,34 @@ impl LegCondition {
             _ => None,
         }
     }
+
+    /// The largest of its coordinates and lengths.
+    fn size(&self) -> f64 {
+        match *self {
+            LegCondition::Distance { a, b, length } => a.coords.amax().max(b.coords.amax()).max(length),
+            LegCondition::OnLineOfA { point, b: other, .. } | LegCondition::OnLineOfB { point, a: other, .. } => {
+                point.coords.amax().max(other.coords.amax())
+            }
+            LegCondition::Turned(_) => 0.0,
+        }
+    }
+
+    /// With all lengths so many times as large.
+    fn scaled(&self, by: f64) -> LegCondition {
+        let scaled = |point: Point| point * by;
+        match *self {
+            LegCondition::Distance { a, b, length } => {
+                LegCondition::Distance { a: scaled(a), b: scaled(b), length: length * by }
+            }
+            LegCondition::OnLineOfA { point, direction, b } => {
+                LegCondition::OnLineOfA { point: scaled(point), direction, b: scaled(b) }
+            }
+            LegCondition::OnLineOfB { point, direction, a } => {
+                LegCondition::OnLineOfB { point: scaled(point), direction, a: scaled(a) }
+            }
+            LegCondition::Turned(turn) => LegCondition::Turned(turn),
+        }
+    }
 }
 
 /// Every real placement of body b in the frame of a that satisfies three conditions.
@@ -41,11 +69,15 @@ pub fn placements(conditions: [LegCondition; 3]) -> Vec<Placement> {
         let rows = [(k + 1) % 3, (k + 2) % 3].map(|other| Row::new(&conditions[other], turn));
         return translations(&rows).into_iter().map(|t| placement(t, turn)).collect();
     }
+    // The polynomial has lengths to the power of six, which must stay within the range of f64: a power of two changes no digit.
+    let largest = conditions.iter().map(LegCondition::size).fold(0.0, f64::max);
+    let unit = if largest.is_normal() { libm::exp2(libm::floor(libm::log2(largest))) } else { 1.0 };
+    let conditions = conditions.map(|condition| condition.scaled(1.0 / unit));
     let rows_at = |turn: Turn| conditions.map(|c| Row::new(&c, turn));
     let mut found = Vec::new();
     for direction in real_roots(|direction| closing_polynomial(&rows_at(turn_to(direction)))) {
         let turn = turn_to(direction);
-        found.extend(translations_at_root(&rows_at(turn)).into_iter().map(|t| placement(t, turn)));
+        found.extend(translations_at_root(&rows_at(turn)).into_iter().map(|t| placement(t * unit, turn)));
     }
     found
 }

@@ -77,7 +77,7 @@ pub use value::{At, Direction, polar};
 pub(crate) use error::{close, list, nearest, nearest_within, range_of};
 pub(crate) use figure::figure_keys;
 pub(crate) use link::STRAIGHT;
-pub(crate) use load_names::{LoadNames, couple_name};
+pub(crate) use load_names::{LoadNames, couple_name, couple_number};
 pub(crate) use name::{Bearer, by_name, joined, pair, why_not};
 pub(crate) use schema::schema;
 pub(crate) use text::{FileKind, LARGEST, SceneTree};

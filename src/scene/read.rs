@@ -206,11 +206,25 @@ impl Scene {
     }
 }
 
+impl Scene {
+    /// How many forces and couples it has, and how many springs.
+    fn counts_of_loads(&self) -> [usize; 2] {
+        self.loads.as_ref().map_or([0; 2], |loads| [loads.loads.len(), loads.springs.len()])
+    }
+
+    /// How many forces, couples and springs it has.
+    pub(crate) fn count_of_loads(&self) -> usize {
+        self.counts_of_loads().iter().sum()
+    }
+}
+
 /// How large a scene may be for what is done with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SizeLimit {
     links: usize,
     points: usize,
+    /// Forces, couples and springs.
+    loads: usize,
     /// What has the limits.
     what: Limited,
 }
@@ -221,20 +235,23 @@ enum Limited {
     Scene,
     Figure,
     Steps,
+    Board,
     Hand,
 }
 
 impl SizeLimit {
     /// For numbers, which take seconds then; no scene may be larger.
-    pub const NUMBERS: SizeLimit = SizeLimit { links: 10_000, points: 100_000, what: Limited::Scene };
+    pub const NUMBERS: SizeLimit = SizeLimit { links: 10_000, points: 100_000, loads: 10_000, what: Limited::Scene };
     /// For a figure, which takes three seconds then.
-    pub const FIGURE: SizeLimit = SizeLimit { links: 3_000, points: 10_000, what: Limited::Figure };
+    pub const FIGURE: SizeLimit = SizeLimit { links: 3_000, points: 10_000, loads: 1_000, what: Limited::Figure };
     /// For steps, whose sheets grow as the square of the links.
-    pub const STEPS: SizeLimit = SizeLimit { links: 150, points: 1_000, what: Limited::Steps };
+    pub const STEPS: SizeLimit = SizeLimit { links: 150, points: 1_000, loads: 100, what: Limited::Steps };
+    /// For a drawing that is judged operation by operation, each by all that was made before.
+    pub const BOARD: SizeLimit = SizeLimit { links: 75, points: 200, what: Limited::Board, ..SizeLimit::STEPS };
     /// For what is drawn by hand: errors of all lines go through to all later ones.
-    pub const HAND: SizeLimit = SizeLimit { links: 1_000, points: 2_000, what: Limited::Hand };
+    pub const HAND: SizeLimit = SizeLimit { links: 1_000, points: 2_000, loads: 300, what: Limited::Hand };
 
-    /// Refuses a scene that is larger; a point counts in every link that has it.
+    /// Refuses a scene that is larger; a point counts in every link that has it, and loads are forces, couples and springs.
     ///
     /// # Errors
     /// What there is too much of, and how much there may be.
@@ -244,16 +261,21 @@ impl SizeLimit {
             Limited::Scene => says::a_scene(),
             Limited::Figure => says::a_figure(),
             Limited::Steps => says::a_figure_with_steps(),
+            Limited::Board => says::a_drawing_judged(),
             Limited::Hand => says::by_hand(),
         };
-        let message = if scene.links.len() > self.links {
-            says::too_many_links(what, self.links, scene.links.len())
+        let ([forces, springs], loads) = (scene.counts_of_loads(), scene.count_of_loads());
+        let (key, message, hint) = if scene.links.len() > self.links {
+            ("links", says::too_many_links(what, self.links, scene.links.len()), says::divide_mechanism())
         } else if points > self.points {
-            says::too_many_points_in(what, self.points, points)
+            ("links", says::too_many_points_in(what, self.points, points), says::divide_mechanism())
+        } else if loads > self.loads {
+            let key = if forces < springs { "springs" } else { "forces" };
+            (key, says::too_many_loads(what, self.loads, loads), says::replace_loads())
         } else {
             return Ok(());
         };
-        Err(scene.error_at(&["links"], message, Some(says::divide_mechanism())))
+        Err(scene.error_at(&[key], message, Some(hint)))
     }
 }
 

@@ -417,10 +417,13 @@ messages! { "scene":
     a_scene;
     a_figure;
     a_figure_with_steps;
+    a_drawing_judged;
     by_hand;
     too_many_links(what, most, count);
     too_many_points_in(what, most, count);
+    too_many_loads(what, most, count);
     divide_mechanism;
+    replace_loads;
 
     // What stands after "expected": types say it in English to serde, which hands over nothing but text.
     expects_two_numbers;

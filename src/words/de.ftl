@@ -1167,10 +1167,13 @@ scene-ground_is_at_rest = Punkt {$point} gehört zum Gestell und bewegt sich nic
 scene-a_scene = eine Szene
 scene-a_figure = ein Bild
 scene-a_figure_with_steps = ein Bild mit Schritten
+scene-a_drawing_judged = eine Zeichnung, die geprüft wird,
 scene-by_hand = eine Konstruktion von Hand
 scene-too_many_links = {$what} hat höchstens {$most} Glieder, und hier sind {$count}
 scene-too_many_points_in = {$what} hat höchstens {$most} Punkte, und hier sind {$count}
+scene-too_many_loads = {$what} hat höchstens {$most} Kräfte, Kräftepaare und Federn, und hier sind {$count}
 scene-divide_mechanism = teilen Sie den Mechanismus: was allein an den Antrieben hängt, kann eine eigene Szene sein
+scene-replace_loads = ersetzen Sie Lasten am selben Glied durch ihre Resultierende
 
 # What stands after "expected": types say it in English to serde, which hands over nothing but text.
 

@@ -1196,10 +1196,13 @@ scene-ground_is_at_rest = point {$point} is on the ground and does not move
 scene-a_scene = a scene
 scene-a_figure = a figure
 scene-a_figure_with_steps = a figure with steps
+scene-a_drawing_judged = a drawing to be checked
 scene-by_hand = a construction by hand
 scene-too_many_links = {$what} has at most {$most} links, and here are {$count}
 scene-too_many_points_in = {$what} has at most {$most} points, and here are {$count}
+scene-too_many_loads = {$what} has at most {$most} forces, couples and springs, and here are {$count}
 scene-divide_mechanism = divide the mechanism: what hangs on the drives alone can be a scene of its own
+scene-replace_loads = replace loads on the same link by their resultant
 
 # What stands after "expected": types say it in English to serde, which hands over nothing but text.
 

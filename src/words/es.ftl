@@ -1165,10 +1165,13 @@ scene-ground_is_at_rest = el punto {$point} está en el bastidor y no se mueve
 scene-a_scene = una escena
 scene-a_figure = una figura
 scene-a_figure_with_steps = una figura con pasos
+scene-a_drawing_judged = un dibujo que se comprueba
 scene-by_hand = una construcción a mano
 scene-too_many_links = {$what} tiene como máximo {$most} eslabones, y aquí hay {$count}
 scene-too_many_points_in = {$what} tiene como máximo {$most} puntos, y aquí hay {$count}
+scene-too_many_loads = {$what} tiene como máximo {$most} fuerzas, pares y resortes, y aquí hay {$count}
 scene-divide_mechanism = divida el mecanismo: lo que depende solo de los accionamientos puede ser una escena aparte
+scene-replace_loads = sustituya las cargas de un mismo eslabón por su resultante
 
 # What stands after "expected": types say it in English to serde, which hands over nothing but text.
 

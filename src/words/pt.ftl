@@ -1167,10 +1167,13 @@ scene-ground_is_at_rest = o ponto {$point} está na base e não se move
 scene-a_scene = uma cena
 scene-a_figure = uma figura
 scene-a_figure_with_steps = uma figura com passos
+scene-a_drawing_judged = um desenho a conferir
 scene-by_hand = uma construção à mão
 scene-too_many_links = {$what} tem no máximo {$most} elos, e aqui há {$count}
 scene-too_many_points_in = {$what} tem no máximo {$most} pontos, e aqui há {$count}
+scene-too_many_loads = {$what} tem no máximo {$most} forças, binários e molas, e aqui há {$count}
 scene-divide_mechanism = divida o mecanismo: o que depende só dos acionamentos pode ser uma cena à parte
+scene-replace_loads = substitua as cargas de um mesmo elo pela sua resultante
 
 # What stands after "expected": types say it in English to serde, which hands over nothing but text.
 

@@ -2,9 +2,11 @@
 //! not sixteen times. Time is that of this thread on its core, where the system tells it.
 
 use kinegon::accuracy::bounds;
-use kinegon::check::{DEPTH, Measured, check, form_names};
+use kinegon::board::{Given, HandDrawing, Judge, own_drawing};
+use kinegon::check::{AnswerKey, DEPTH, Measured, check, form_names};
 use kinegon::construction::Tolerance;
 use kinegon::drawing::{Film, HeldLayout, Timing};
+use kinegon::editing::{tables_in_files, with_tables};
 use kinegon::exercise::{ExerciseError, Exercises};
 use kinegon::kernel::Kernel;
 use kinegon::mechanism::mechanism;
@@ -13,6 +15,7 @@ use kinegon::quantity::step_pencil;
 use kinegon::scene::{GivenBy, Scene};
 use kinegon::study::{Study, StudyFile};
 use kinegon::{Order, Solution, posed};
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::time::{Duration, Instant};
@@ -33,31 +36,32 @@ const LONG: Duration = Duration::from_millis(300);
 
 /// How many times as long work takes for 4 n as for n, the best of three.
 fn growth<T>(n: usize, prepare: impl Fn(usize) -> T, work: impl Fn(&T)) -> f64 {
-    let began = Instant::now();
-    let best = |size: usize| {
-        let prepared = prepare(size);
-        let mut shortest = Duration::MAX;
-        for _ in 0..3 {
-            let before = busy(began);
-            let mut rounds = 0;
-            let each = loop {
-                work(&prepared);
-                rounds += 1;
-                let took = busy(began) - before;
-                if took >= LEAST {
-                    break took / rounds;
-                }
-            };
-            shortest = shortest.min(each);
-            if each >= LONG {
-                break;
-            }
-        }
-        shortest.as_secs_f64()
-    };
-    let (small, large) = (best(n), best(4 * n));
+    let [small, large] = [n, 4 * n].map(|size| seconds(&prepare(size), &work));
     println!("{n}: {:.1} ms, {}: {:.1} ms", 1e3 * small, 4 * n, 1e3 * large);
     large / small
+}
+
+/// How long work takes, the best of three.
+fn seconds<T>(prepared: &T, work: impl Fn(&T)) -> f64 {
+    let began = Instant::now();
+    let mut shortest = Duration::MAX;
+    for _ in 0..3 {
+        let before = busy(began);
+        let mut rounds = 0;
+        let each = loop {
+            work(prepared);
+            rounds += 1;
+            let took = busy(began) - before;
+            if took >= LEAST {
+                break took / rounds;
+            }
+        };
+        shortest = shortest.min(each);
+        if each >= LONG {
+            break;
+        }
+    }
+    shortest.as_secs_f64()
 }
 
 /// Four times as long, or a little more on a machine that others use.
@@ -161,7 +165,7 @@ fn forms_of_nonsense_for_many_links() {
     let nonsense = |own: &Solution| {
         let values = form_names(&own.construction).into_iter().zip(0..);
         let values = values.map(|(name, k)| (name, format!("{}.{k}", k * 7919 % 300)));
-        let file = serde_json::json!({
+        let file = json!({
             "kinegon_measured": 1, "positive": "counter-clockwise", "values": values.collect::<BTreeMap<String, String>>(),
         });
         let mut measured = Measured::read_json(&file.to_string()).expect("a form");
@@ -178,17 +182,121 @@ fn forms_of_nonsense_for_many_links() {
     grows_at_most(25.0, "a form of nonsense", grown);
 }
 
-/// Each named load is looked up among the others once.
+/// A four-bar with these loads, drawn on these panels.
+fn with_loads(loads: impl Iterator<Item = Value>, panels: &[&str]) -> String {
+    let mut scene: Value = serde_json::from_str(&four_bar("loads", "")).expect("it is JSON");
+    scene["units"]["force"] = "N".into();
+    scene["forces"] = loads.collect();
+    scene["figure"] = json!({ "panels": panels });
+    scene.to_string()
+}
+
+/// A drawing with all sizes wrong: each operation is judged by all that was made before, but in a construction that nobody draws by hand no
+/// mistakes of the catalogue are gone through for it.
 #[test]
-fn loads_with_names() {
+fn drawings_that_are_wrong() {
     let with = |count: usize| {
-        let loads = (0..count).map(|k| serde_json::json!({ "name": format!("F{k}"), "on": "2", "couple": k }));
-        let mut scene: serde_json::Value = serde_json::from_str(&four_bar("loads", "")).expect("it is JSON");
-        scene["units"]["force"] = "N".into();
-        scene["forces"] = loads.collect();
-        scene.to_string()
+        let own = solution(&four_bars(count));
+        let mut drawing: Value = serde_json::from_str(&own_drawing(&Given::new(&own), &own.scales())).expect("JSON");
+        let entries = drawing["did"].as_array_mut().expect("a list");
+        for size in entries.iter_mut().filter_map(|entry| entry.get_mut("size")) {
+            *size = format!("2 * ({})", size.as_str().expect("a formula")).into();
+        }
+        let judge = Judge::new(&AnswerKey::new(&own, None));
+        (judge, HandDrawing::read(&drawing.to_string()).expect("a drawing"))
     };
-    is_in_proportion("reading loads", growth(2500, with, |text| drop(Scene::read(text).expect("a good scene"))));
+    let judged = |(judge, drawing): &(Judge, HandDrawing)| {
+        let judged = judge.judge(drawing).expect("it can be carried out");
+        assert!(judged.first_wrong().is_some());
+    };
+    // Some twenty operations for each.
+    grows_at_most(25.0, "a wrong drawing", growth(6, with, judged));
+}
+
+/// Each load is looked up among the others once, and couples without a name are counted on.
+#[test]
+fn reading_loads() {
+    let with = |count: usize| {
+        let loads = (0..count).map(|k| json!({ "name": format!("F{k}"), "on": "2", "couple": k }));
+        with_loads(loads, &["scheme"])
+    };
+    let read = |text: &String| drop(Scene::read(text).expect("a good scene"));
+    is_in_proportion("loads with names", growth(2500, with, read));
+    let with = |count: usize| with_loads((0..count).map(|k| json!({ "on": "2", "couple": k })), &["scheme"]);
+    is_in_proportion("couples without names", growth(1000, with, read));
+}
+
+/// What is seen of the forces on a lever is found once for all, and where a link's couples act.
+#[test]
+fn loads_on_a_lever() {
+    let forces = |count: usize| {
+        // All but one are too small to be seen and to have a name, which would take most of the time.
+        let force =
+            |k| json!({ "on": "2", "at": [k % 100, 1 + k / 100], "force": [if k == 0 { 1e12 } else { 1.0 }, -2] });
+        solution(&with_loads((0..count).map(force), &["lever"]))
+    };
+    is_in_proportion("a lever", growth(100, forces, |own| drop(own.figure())));
+    let couples = |count: usize| {
+        let text = with_loads((0..count).map(|k| json!({ "on": "2", "couple": 1 + k })), &["scheme", "lever"]);
+        Scene::read(&text).expect("a good scene")
+    };
+    is_in_proportion("couples", growth(500, couples, |scene| drop(kinegon::solve(scene).expect("it moves"))));
+}
+
+/// Tables are put into the text of a scene at once.
+#[test]
+fn tables_of_loads() {
+    let with = |count: usize| {
+        let over = json!({ "of": "angle(1)", "table": "t.csv" });
+        let loads = (0..count).map(|k| json!({ "name": format!("F{k}"), "on": "2", "couple": 1, "over": over }));
+        with_loads(loads, &["scheme"])
+    };
+    let put = |text: &String| {
+        let tables = tables_in_files(text).into_iter().map(|table| (table.load, vec![[0.0, 1.0], [360.0, 2.0]]));
+        let (text, put) = with_tables(text, &tables.collect::<Vec<_>>()).expect("it is JSON");
+        assert!(text.len() > 1000 && put.len() > 10);
+    };
+    is_in_proportion("tables", growth(250, with, put));
+}
+
+/// Centres that are named one by one take about as long as all of them.
+#[test]
+fn centers_named_one_by_one() {
+    let dyads = 8;
+    let chain = |centers: Value| {
+        let (mut ground, mut links) = (json!({ "A": [0, 0] }), serde_json::Map::new());
+        links.insert(
+            "1".into(),
+            json!({ "points": ["A", "P0"], "lengths": { "A-P0": 20 }, "drive": { "angle": 60, "omega": 10 } }),
+        );
+        let mut near = serde_json::Map::new();
+        for k in 1..=dyads {
+            let (before, joint, pivot) = (format!("P{}", k - 1), format!("P{k}"), format!("G{k}"));
+            ground[&pivot] = json!([60 * k, k * k % 7]);
+            near.insert(joint.clone(), json!([60 * k + 5, 40]));
+            let link = |from: &str, length: usize| json!({ "points": [from, joint], "lengths": { format!("{from}-{joint}"): length } });
+            links.insert((2 * k).to_string(), link(&before, 58 + k * 5 % 4));
+            links.insert((2 * k + 1).to_string(), link(&pivot, 38 + k * 3 % 5));
+        }
+        let figure = json!({ "panels": ["scheme", "centers"], "centers": centers });
+        let units = json!({ "length": "mm", "time": "s" });
+        Scene::read(
+            &json!({ "kinegon": 1, "units": units, "ground": ground, "links": links, "near": near, "figure": figure })
+                .to_string(),
+        )
+        .expect("a good scene")
+    };
+    let named: Vec<String> =
+        (0..30).map(|k| (2 + k * 5 % 7, 9 + k * 3 % 8)).map(|(a, b)| format!("P({a},{b})")).collect();
+    let named: std::collections::BTreeSet<String> = named.into_iter().collect();
+    let [all, some] = [json!("all"), json!(named)].map(|centers| {
+        seconds(&chain(centers), |scene| {
+            let own = kinegon::solve(scene).expect("it moves");
+            assert!(own.construction.centers.is_some_and(|centers| centers.all.len() > 40));
+        })
+    });
+    println!("all: {:.1} ms, {} of them: {:.1} ms", 1e3 * all, named.len(), 1e3 * some);
+    assert!(some < 6.0 * all, "{} centres: {some} s, all: {all} s", named.len());
 }
 
 /// Drives that turn equally fast take a mechanism through the same positions: these are looked at once.

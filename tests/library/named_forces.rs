@@ -264,7 +264,8 @@ fn a_load_is_renamed_with_its_link() {
     assert_eq!(QuantityName::reworded("moment( weight(2), S3)", other).as_deref(), Some("moment( weight(9), S3)"));
 }
 
-/// A couple without a name is called by its link, the second one there with a prime, and gives way to names that the scene gives.
+/// A couple without a name is called by its link, the second one there with a prime, later ones with their number, and gives way to names
+/// that the scene gives.
 #[test]
 fn a_couple_is_called_by_its_link() {
     let mut scene: Value = serde_json::from_str(&support::files::read("templates/four-bar.json")).expect("a scene");
@@ -278,11 +279,16 @@ fn a_couple_is_called_by_its_link() {
         { "name": "M2", "on": "3", "couple": 500 },
         { "name": "P", "on": "3", "at": "C", "force": [1, 0] },
         { "on": "3", "at": "C", "force": [2, 0] },
+        { "on": "3", "couple": 600 },
+        { "name": "M3-4", "on": "1", "couple": 700 },
+        { "on": "3", "couple": 800 },
     ]);
     let solution = support::stages::solved(&scene.to_string()).expect("it can be solved");
     let value = |name: &str| solution.quantity(name).unwrap_or_else(|error| panic!("{name}: {error}")).as_number();
     let about = |name: &str| value(&format!("moment({name},A)"));
-    for (name, couple) in [("M3", 100.0), ("M'2", 200.0), ("M'3", 300.0), ("M1", 400.0), ("M2", 500.0)] {
+    let first = [("M3", 100.0), ("M'2", 200.0), ("M'3", 300.0), ("M1", 400.0), ("M2", 500.0)];
+    let later = [("M3-3", 600.0), ("M3-4", 700.0), ("M3-5", 800.0)];
+    for (name, couple) in first.into_iter().chain(later) {
         assert!((about(name) - couple).abs() < 1e-12 * couple, "{name}");
     }
     assert!((value("load(F2).x") - 2.0).abs() < 1e-15, "every force counts");

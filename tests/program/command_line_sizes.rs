@@ -36,6 +36,56 @@ fn each_command_states_its_limits() {
     }
 }
 
+/// A four-bar with so many couples and a spring.
+fn loaded(couples: usize) -> Vec<u8> {
+    let couples: Vec<String> = (0..couples).map(|k| format!(r#"{{ "on": "3", "couple": {k} }}"#)).collect();
+    let scene = String::from_utf8(many_points(0))
+        .expect("it is text")
+        .replace(r#""time": "s""#, r#""time": "s", "force": "N""#);
+    let loads = format!(
+        r#", "springs": [{{ "between": [["3", "C"], ["ground", [300, 0]]], "rate": 1, "length": 20 }}], "forces": [{}] }}"#,
+        couples.join(", ")
+    );
+    (scene.trim_end().trim_end_matches('}').to_owned() + &loads).into_bytes()
+}
+
+#[test]
+fn each_command_states_its_limit_of_loads() {
+    for (arguments, what, most) in [
+        (&["draw", "-", "-o", "-"][..], "a figure", 1_000),
+        (&["draw", "-", "--layered", "-o", "-"], "a figure with steps", 100),
+        (&["draw", "-", "--format", "html", "-o", "-"], "a figure with steps", 100),
+        (&["steps", "-"], "a construction by hand", 300),
+        (&["solve", "-", "--pencil"], "a construction by hand", 300),
+        (&["solve", "-"], "a scene", 10_000),
+    ] {
+        let output = with_scene(arguments, &loaded(most));
+        let message = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+        let told = format!("{what} has at most {most} forces, couples and springs, and here are {}", most + 1);
+        assert!(message.contains(&told), "{arguments:?}: {message}");
+        assert!(message.contains("their resultant") && message.contains("forces"), "{message}");
+        assert!(output.stdout.is_empty());
+    }
+    let output = with_scene(&["steps", "-"], &loaded(20));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+}
+
+/// A drawing is judged operation by operation, each by all before.
+#[test]
+fn a_drawing_to_be_checked_has_a_limit() {
+    let folder = scratch("large-drawing");
+    let drawing = folder.join("drawing.json");
+    std::fs::write(&drawing, r#"{ "kinegon_drawing": 1, "did": [] }"#).expect("the test's folder can be written");
+    let output = with_scene(&["check", "-", drawing.to_str().expect("a path of letters")], &scene(76));
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        message.contains("drawing.json: a drawing to be checked has at most 75 links, and here are 76"),
+        "{message}"
+    );
+}
+
 #[test]
 fn nesting_is_limited() {
     let output = with_scene(&["solve", "-"], "[".repeat(100_000).as_bytes());

@@ -15,6 +15,7 @@ use crate::geometry::{Ball, Number, Pair, Point, Vector, unit};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::motion::State;
 use crate::sheet::Sheet;
+use std::collections::BTreeMap;
 
 /// White between levers, in parts of the widest one.
 const APART: f64 = 0.25;
@@ -167,6 +168,8 @@ impl Writer<'_> {
         self.finish(step, Action::Lever(LeverStep::Turn(index)));
         let mut powers = Vec::new();
         let mut forces: Vec<LeverForce> = Vec::new();
+        // By body with a couple: where its two forces act.
+        let mut apart: BTreeMap<BodyId, Option<[Pair<Ball>; 2]>> = BTreeMap::new();
         let is_own_rate = drive.rate(mechanism) == Some(rate) && index == 0;
         for (load, acting) in computed.acting.iter().enumerate() {
             let mut put: Vec<Put> = Vec::new();
@@ -182,7 +185,8 @@ impl Writer<'_> {
                 put.push(Put { load, is_of_couple: false, size, along, at, exact: Some(acting.force) });
             }
             if acting.couple.high.abs() > CERTAIN * acting.couple.error() {
-                match self.places_apart(computed, acting.body) {
+                let body = acting.body;
+                match *apart.entry(body).or_insert_with(|| self.places_apart(computed, body)) {
                     Some(places) => {
                         let images = places.map(|place| image(acting.body, place));
                         put.extend(self.couple_on_lever(load, acting.couple, places, images));
@@ -323,11 +327,10 @@ impl Writer<'_> {
 }
 
 impl Lever {
-    /// Whether something of a force is seen.
+    /// Something is seen of a force that is larger than this.
     #[must_use]
-    pub fn shows(&self, force: &LeverForce) -> bool {
-        let largest = self.forces.iter().map(|force| force.size).fold(0.0, f64::max);
-        force.size > NOTHING * largest
+    pub fn least_shown(&self) -> f64 {
+        NOTHING * self.forces.iter().map(|force| force.size).fold(0.0, f64::max)
     }
 
     /// The places on it, in units of velocity.

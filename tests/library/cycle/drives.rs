@@ -2,6 +2,7 @@
 
 use super::ends::apart;
 use super::{TURN, followed, path, posed, scenes};
+use kinegon::Solution;
 use kinegon::cycle::{Drive, Path, Position, alone};
 use kinegon::mechanism::{Mechanism, Role, SliderId};
 use kinegon::quantity::State;
@@ -98,6 +99,45 @@ fn size_does_not_matter() {
             }
         }
     }
+}
+
+/// Angular velocities of links, places of points and sliders, and velocities of sliders; each kind with the power of the length in it.
+fn all_numbers(own: &Solution) -> [(i32, Vec<f64>); 3] {
+    let places = own.pose.points.iter().flat_map(|place| [place.x, place.y]);
+    let slides = own.pose.slides.iter().flatten().copied();
+    let spins = own.mechanism.links().map(|(id, _)| own.motion.body(id));
+    let rates = own.motion.slides.iter().map(|slide| slide.velocity);
+    [(0, spins.map(|body| body.omega).collect()), (1, places.chain(slides).collect()), (1, rates.collect())]
+}
+
+/// Within the lengths that are allowed a scene with sliders can be assembled at every size, and its numbers are the same times a power of two.
+#[test]
+fn sliders_of_every_size() {
+    let folders = ["templates", "tests/lecture", "tests/driven_sliders"];
+    let all = folders.into_iter().flat_map(support::files::scenes);
+    // Radii of wheels have limits of their own.
+    let is_meant =
+        |text: &str| text.contains("\"sliders\"") && !text.contains("\"points\": {") && !text.contains("\"gears\"");
+    let with_sliders = all.filter(|(_, text)| is_meant(text));
+    let mut count = 0;
+    for (name, text) in with_sliders {
+        let Ok(own) = support::stages::solved(&transformed(&text, 1.0, [0.0; 2])) else { continue };
+        count += 1;
+        for power in [52, 60, 70, 200, -52, -60, -70, -200] {
+            let factor = libm::exp2(f64::from(power));
+            let scaled = support::stages::solved(&transformed(&text, factor, [0.0; 2]));
+            let scaled = scaled.unwrap_or_else(|error| panic!("{name} times 2^{power}: {error}"));
+            for ((of_length, expected), (_, got)) in all_numbers(&own).into_iter().zip(all_numbers(&scaled)) {
+                let expected: Vec<f64> = expected.into_iter().map(|x| x * factor.powi(of_length)).collect();
+                let largest = expected.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+                assert_eq!(got.len(), expected.len());
+                for (a, b) in got.iter().zip(&expected) {
+                    assert!((a - b).abs() <= 1e-14 * largest, "{name} times 2^{power}: {got:?} {expected:?}");
+                }
+            }
+        }
+    }
+    assert!(count > 30, "{count}");
 }
 
 /// The numbers agree to this part of the largest of their kind.

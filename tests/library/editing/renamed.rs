@@ -112,7 +112,7 @@ fn names_that_cannot_be_are_refused() {
 fn a_couple_is_called_by_its_link_under_its_new_name() {
     let scene = |link: &str, index: &str| {
         format!(
-            r#"{{ "kinegon": 1, "links": {{ "1": ["A", "B"], "{link}": ["B", "C"] }}, "forces": [{{ "on": "{link}", "couple": 5 }}, {{ "name": "M1", "on": "{link}", "couple": 5 }}], "want": ["power(M{index})", "power(M'{index})", "moment(M{index},A)", "power(M1)"] }}"#
+            r#"{{ "kinegon": 1, "links": {{ "1": ["A", "B"], "{link}": ["B", "C"] }}, "forces": [{{ "on": "{link}", "couple": 5 }}, {{ "name": "M1", "on": "{link}", "couple": 5 }}], "want": ["power(M{index})", "power(M'{index})", "power(M{index}-3)", "moment(M{index},A)", "power(M1)"] }}"#
         )
     };
     assert_eq!(renamed(&scene("3", "3"), Named::Link, "3", "7"), scene("7", "7"));

@@ -10,6 +10,7 @@ use kinegon::board::{
 use kinegon::check::AnswerKey;
 use kinegon::construction::Tolerance;
 use kinegon::format::pdf_pages;
+use kinegon::scene::SizeLimit;
 use kinegon::{Order, Sheet};
 use serde::{Deserialize, Serialize};
 
@@ -63,6 +64,7 @@ impl Kept {
         if self.screen.is_none() || self.scene != text || self.language != spoken {
             *self = Kept::default();
             let (kept, language) = desk.kept_with_language(text)?;
+            kept.check(SizeLimit::BOARD)?;
             let solution = crate::desk::in_words(kept.solution(Order::Acceleration)?, language).into_owned();
             let key = AnswerKey::new(&solution, Some(Tolerance::default()));
             self.screen = Some(Screen::new(Judge::new(&key), solution.wording()));
