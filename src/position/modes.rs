@@ -245,7 +245,8 @@ impl Modes<'_, '_> {
     /// Closes the loops from where paths from other lengths lead, if the group has only pins; whether these are all modes.
     fn follow_paths(&mut self, known: &Frames, slides: &[f64], search: &mut Search<'_>) -> bool {
         let number = self.at_most.filter(|&most| most <= MOST_PATHS);
-        let Some((number, mut paths)) = number.zip(Paths::new(self.assembler.mechanism, self.group, known, slides)) else {
+        let Some((number, mut paths)) = number.zip(Paths::new(self.assembler.mechanism, self.group, known, slides))
+        else {
             return false;
         };
         let (starts, are_all) = paths.starts(number as usize);

@@ -58,7 +58,8 @@ pub fn complex_modes(links: usize, pins: &[Vec<usize>]) -> Option<u64> {
     let rows = turns(links, pins);
     let everything = (1 << links) - 1;
     let of_columns = |set: u16| {
-        let chosen = |row: &Vec<u64>| row.iter().enumerate().filter(|(k, _)| set >> k & 1 == 1).map(|(_, x)| *x).collect();
+        let chosen =
+            |row: &Vec<u64>| row.iter().enumerate().filter(|(k, _)| set >> k & 1 == 1).map(|(_, x)| *x).collect();
         reduced(rows.iter().map(chosen).collect()).len()
     };
     let mut pairs = Pairs { ranks: (0..=everything).map(of_columns).collect(), counted: BTreeMap::new() };

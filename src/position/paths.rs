@@ -6,12 +6,17 @@ use crate::geometry::{Point, Random, Turn};
 use crate::mechanism::{BodyId, Group, JointId, Mechanism};
 use num_complex::Complex64 as Complex;
 use num_traits::Zero;
+use std::f64::consts::{PI, TAU};
 
 /// Most loops of a group.
 pub(super) const MOST_LOOPS: usize = 6;
 
 /// Most paths between the same two lengths: with so many, hardly an assembly is not reached.
-const MOST_WAYS: usize = 10;
+const MOST_WAYS: usize = 24;
+
+/// How far the logarithm of a product goes astray on a way, times 4; as much more on every so many-th further way.
+const SWELL: f64 = 12.0;
+const SWELLING: usize = 4;
 
 /// The first step of a path, of its whole length 1, and the smallest.
 const FIRST_STEP: f64 = 0.05;
@@ -38,8 +43,8 @@ const REAL: f64 = 1e-3;
 /// Real assemblies have z w = 1 for every link. Where z w = λ for any complex λ, as for links lengthened by λ, there are equally many, and all of them come
 /// from each other when λ runs in circles, because the pairs (z, w) of both spaces are one connected piece (A. J. Sommese, C. W. Wampler, "The Numerical
 /// Solution of Systems of Polynomials Arising in Engineering and Science", 2005, chapter 15; T. Duff et al., "Solving polynomial systems via homotopy
-/// continuation and monodromy", IMA Journal of Numerical Analysis 39, 2019). The first is any pair; the others are found by going to and fro until all are there; from these, paths
-/// lead to λ = 1.
+/// continuation and monodromy", IMA Journal of Numerical Analysis 39, 2019). The first has any z, with its conjugate as w;
+/// the others are found by going to and fro until all are there; from these, paths lead to λ = 1.
 pub(super) struct Paths<'a> {
     mechanism: &'a Mechanism,
     known: &'a Frames,
@@ -49,6 +54,8 @@ pub(super) struct Paths<'a> {
     bound: Vec<(usize, [Complex; MOST_LOOPS], Complex)>,
     /// The links whose rotations are free.
     free: Vec<usize>,
+    /// By link: the logarithm of the frame's size in parts of the link's.
+    scales: Vec<f64>,
     random: Random,
     /// How many paths have been followed.
     pub followed: usize,
@@ -57,22 +64,24 @@ pub(super) struct Paths<'a> {
 /// Numbers of the free links.
 type Free = [Complex; MOST_LOOPS];
 
-/// A way through the products λ of all links: from the first over a detour to the second.
+/// A way through the products λ of all links, from real ones to others, whose logarithms it is given: each goes round zero some times, with a wave of its
+/// angle and of its logarithm.
 struct Way<'w> {
-    ends: [&'w [Complex]; 2],
-    detour: &'w [Complex],
+    ends: [&'w [f64]; 2],
+    rounds: &'w [[f64; 3]],
 }
 
 impl Way<'_> {
     /// The products and their rates.
     fn at(&self, t: f64) -> Vec<[Complex; 2]> {
         let [from, to] = self.ends;
-        let products = from.iter().zip(to).zip(self.detour);
-        products
-            .map(|((&from, &to), &detour)| {
-                [from + (to - from) * t + detour * (t * (1.0 - t)), to - from + detour * (1.0 - 2.0 * t)]
-            })
-            .collect()
+        let logarithms = from.iter().zip(to).zip(self.rounds);
+        let product = |((&from, &to), &[turn, wave, swell]): ((&f64, &f64), &[f64; 3])| {
+            let (sine, cosine) = libm::sincos(turn * t + wave * t * (1.0 - t));
+            let product = Complex::new(cosine, sine) * libm::exp(from + (to - from) * t + swell * t * (1.0 - t));
+            [product, product * Complex::new(to - from + swell * (1.0 - 2.0 * t), turn + wave * (1.0 - 2.0 * t))]
+        };
+        logarithms.map(product).collect()
     }
 }
 
@@ -124,6 +133,10 @@ impl<'a> Paths<'a> {
             }
             rows.push((row, constant));
         }
+        let largest = |sizes: &mut dyn Iterator<Item = f64>| sizes.fold(f64::MIN_POSITIVE, f64::max);
+        let frame = largest(&mut rows.iter().map(|(_, constant)| constant.norm_sqr()));
+        let size = |link: usize| largest(&mut rows.iter().map(|(row, _)| row[link].norm_sqr()));
+        let scales = (0..links.len()).map(|link| 0.5 * libm::log(frame / size(link))).collect();
         let mut paths = Paths {
             mechanism,
             known,
@@ -131,6 +144,7 @@ impl<'a> Paths<'a> {
             links,
             bound: Vec::new(),
             free: Vec::new(),
+            scales,
             random: Random(0x7061_7468),
             followed: 0,
         };
@@ -176,11 +190,11 @@ impl<'a> Paths<'a> {
         let Some((products, all)) = self.all(number) else {
             return (Vec::new(), false);
         };
-        let ones = vec![Complex::new(1.0, 0.0); self.links.len()];
+        let ones = vec![0.0; self.links.len()];
         let mut starts: Vec<Vec<Complex>> = Vec::new();
         for off in OFF {
-            let detour = self.numbers(2.0);
-            let way = Way { ends: [&products, &ones], detour: &detour };
+            let rounds = self.rounds(0.0);
+            let way = Way { ends: [&products, &ones], rounds: &rounds };
             let ends: Vec<Option<End>> = all.iter().map(|start| self.follow(start, &way, off)).collect();
             let reached: Vec<(Vec<Complex>, bool)> =
                 ends.iter().flatten().map(|end| (self.rotations(&end.free), end.is_regular)).collect();
@@ -206,13 +220,18 @@ impl<'a> Paths<'a> {
         Assembled { frames, slides: self.slides.to_vec(), gap: f64::INFINITY }
     }
 
-    /// Products λ, and so many assemblies with them.
-    fn all(&mut self, number: usize) -> Option<(Vec<Complex>, Vec<Free>)> {
-        let [z, w] = [self.random_free(), self.random_free()];
-        let pairs = self.rotations(&z).into_iter().zip(self.conjugates(&w));
-        let places = [pairs.map(|(z, w)| z * w).collect(), self.numbers(1.0)];
-        let mut found = [vec![z], Vec::new()];
-        let mut ways: Vec<(Vec<Complex>, [Vec<usize>; 2])> = Vec::new();
+    /// Products λ, and so many assemblies with them. At both places between which the ways run they are real: assemblies there are real or come in pairs.
+    fn all(&mut self, number: usize) -> Option<(Vec<f64>, Vec<Free>)> {
+        let mut first = [Complex::zero(); MOST_LOOPS];
+        for (z, link) in first.iter_mut().zip(self.free.clone()) {
+            *z = self.number() * libm::exp(self.scales[link]);
+        }
+        let places: [Vec<f64>; 2] = [
+            self.rotations(&first).iter().map(|z| libm::log(z.norm_sqr())).collect(),
+            (0..self.links.len()).map(|link| 2.0 * self.scales[link] + self.random.within()).collect(),
+        ];
+        let mut found = [vec![first], Vec::new()];
+        let mut ways: Vec<(Vec<[f64; 3]>, [Vec<usize>; 2])> = Vec::new();
         loop {
             // The next assembly at either end of a way from which it has not been gone.
             let next = ways.iter().enumerate().find_map(|(way, (_, gone))| {
@@ -225,63 +244,73 @@ impl<'a> Paths<'a> {
                 if ways.len() == MOST_WAYS {
                     return None;
                 }
-                ways.push((self.numbers(2.0), Default::default()));
+                let swell = SWELL * (1 + ways.len() / SWELLING) as f64;
+                ways.push((self.rounds(swell), Default::default()));
                 continue;
             };
-            let (detour, gone) = &mut ways[way];
+            let (rounds, gone) = &mut ways[way];
             gone[end].push(index);
-            let along = Way { ends: [&places[end], &places[1 - end]], detour };
+            let back: Vec<[f64; 3]> = rounds.iter().map(|&[turn, wave, swell]| [-turn, wave, swell]).collect();
+            let along = Way { ends: [&places[end], &places[1 - end]], rounds: if end == 0 { rounds } else { &back } };
             let start = found[end][index];
             let Some(reached) = self.follow(&start, &along, OFF[0]).filter(|end| end.is_regular) else {
                 continue;
             };
-            let rotations = self.rotations(&reached.free);
-            let mut known = found[1 - end].iter();
-            let same = known.position(|other| are_same(&self.rotations(other), &rotations));
-            gone[1 - end].push(same.unwrap_or(found[1 - end].len()));
-            if same.is_none() {
-                found[1 - end].push(reached.free);
-            }
-            if found[1 - end].len() == number {
+            let other = 1 - end;
+            let is_there = self.added(&mut found[other], reached.free);
+            gone[other].push(is_there);
+            self.added(&mut found[other], self.mirrored(&reached.free, &places[other]));
+            if found[other].len() >= number {
                 let (mut places, mut found) = (Vec::from(places), Vec::from(found));
-                return Some((places.swap_remove(1 - end), found.swap_remove(1 - end)));
+                let all = found.swap_remove(other);
+                return (all.len() == number).then(|| (places.swap_remove(other), all));
             }
         }
     }
 
-    /// A random complex number for every link.
-    fn numbers(&mut self, size: f64) -> Vec<Complex> {
-        (0..self.links.len()).map(|_| self.number() * size).collect()
+    /// The index of an assembly among those found, to which it is added if it is new.
+    fn added(&self, found: &mut Vec<Free>, free: Free) -> usize {
+        let rotations = self.rotations(&free);
+        let same = found.iter().position(|other| are_same(&self.rotations(other), &rotations));
+        same.unwrap_or_else(|| {
+            found.push(free);
+            found.len() - 1
+        })
     }
 
-    fn random_free(&mut self) -> Free {
-        [(); MOST_LOOPS].map(|()| self.number())
+    /// The assembly whose rotations are the conjugates of this one's w, with the same real products.
+    fn mirrored(&self, free: &Free, products: &[f64]) -> Free {
+        let mut mirrored = *free;
+        for (z, &link) in mirrored.iter_mut().zip(&self.free) {
+            *z = (libm::exp(products[link]) / *z).conj();
+        }
+        mirrored
+    }
+
+    /// For every link the angle by which a product goes round zero, and random waves of its angle and of its logarithm.
+    fn rounds(&mut self, swell: f64) -> Vec<[f64; 3]> {
+        let round = |random: &mut Random| {
+            let turn = TAU * (random.below(3) as f64 - 1.0);
+            [turn, PI * random.within(), swell * random.within()]
+        };
+        (0..self.links.len()).map(|_| round(&mut self.random)).collect()
     }
 
     /// A random complex number not far from 1 in modulus.
     fn number(&mut self) -> Complex {
-        let (sine, cosine) = libm::sincos(self.random.unit() * std::f64::consts::TAU);
+        let (sine, cosine) = libm::sincos(self.random.unit() * TAU);
         Complex::new(cosine, sine) * (0.75 + 0.5 * self.random.unit())
     }
 
     /// The rotations of all links.
     fn rotations(&self, free: &Free) -> Vec<Complex> {
-        self.completed(free, |x| x)
-    }
-
-    /// Their conjugates w of all links.
-    fn conjugates(&self, free: &Free) -> Vec<Complex> {
-        self.completed(free, |x| x.conj())
-    }
-
-    fn completed(&self, free: &Free, coefficient: impl Fn(Complex) -> Complex) -> Vec<Complex> {
         let mut all = vec![Complex::zero(); self.links.len()];
         for (&link, &z) in self.free.iter().zip(free) {
             all[link] = z;
         }
         for (link, row, constant) in &self.bound {
-            let sum = row.iter().zip(free).take(self.free.len()).map(|(&x, &z)| coefficient(x) * z);
-            all[*link] = -(sum.sum::<Complex>() + coefficient(*constant));
+            let sum = row.iter().zip(free).take(self.free.len()).map(|(x, z)| x * z);
+            all[*link] = -(sum.sum::<Complex>() + constant);
         }
         all
     }
@@ -398,9 +427,8 @@ impl<'a> Paths<'a> {
             }
         }
         for step in 0..size {
-            let largest = (step..size).max_by(|&a, &b| {
-                matrix[a][step].norm_sqr().total_cmp(&matrix[b][step].norm_sqr())
-            })?;
+            let largest =
+                (step..size).max_by(|&a, &b| matrix[a][step].norm_sqr().total_cmp(&matrix[b][step].norm_sqr()))?;
             matrix.swap(step, largest);
             right.swap(step, largest);
             let pivot = matrix[step][step];

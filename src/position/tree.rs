@@ -1,5 +1,5 @@
-use super::frames::{Frames, driven_position};
 use super::closing::{Assembled, places};
+use super::frames::{Frames, driven_position};
 use super::modes::{Assembler, NoMode};
 use super::says;
 use super::search::{Rough, chord};
@@ -72,7 +72,8 @@ impl<'a> Tree<'a> {
             turned: wheels::degrees(&assembled, &self.mechanism.groups[group].links),
             frames: assembled.frames.set,
         };
-        let standing = found.modes.into_iter().enumerate().map(|(index, assembled)| placed(Some(number(index)), assembled));
+        let standing =
+            found.modes.into_iter().enumerate().map(|(index, assembled)| placed(Some(number(index)), assembled));
         Ok(standing.chain(found.moving.into_iter().map(|assembled| placed(None, assembled))).collect())
     }
 
@@ -214,10 +215,7 @@ impl WholeAssembly {
 
 /// Warnings for groups whose assembly modes come from a search, not from a polynomial, unless all that there can be have been found; and for groups that may
 /// move at fixed drives. A group without a loop has one mode.
-pub(crate) fn search_warnings(
-    mechanism: &Mechanism,
-    assemblies: &[Option<Assembly>],
-) -> impl Iterator<Item = Message> {
+pub(crate) fn search_warnings(mechanism: &Mechanism, assemblies: &[Option<Assembly>]) -> impl Iterator<Item = Message> {
     let groups = mechanism.groups.iter().enumerate();
     let higher = groups.filter(|(_, group)| group.class == Class::Higher && !group.loops.is_empty());
     higher.flat_map(|(index, group)| {
