@@ -251,11 +251,12 @@ impl Modes<'_, '_> {
         };
         let (starts, are_all) = paths.starts(number as usize);
         self.assembler.work += PATH * paths.followed * self.assembler.mechanism.bodies.len().min(MOST_COUNTED);
-        search.starts += paths.followed;
         for start in starts {
             self.close(start, search.size);
         }
-        are_all && self.moving.is_none()
+        let are_all = are_all && self.moving.is_none();
+        search.starts += if are_all { paths.followed } else { 0 };
+        are_all
     }
 
     /// Leaves out what is more than there can be: such assemblies are parts of a curve, as well as rounding can tell.

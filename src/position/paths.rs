@@ -20,7 +20,7 @@ const SWELLING: usize = 4;
 
 /// The first step of a path, of its whole length 1, and the smallest.
 const FIRST_STEP: f64 = 0.05;
-const SMALLEST_STEP: f64 = 1e-7;
+const SMALLEST_STEP: f64 = 1e-11;
 
 /// How far a step of a path may be off, in parts of the numbers: in the first try, and in further ones where two paths have run together.
 const OFF: [f64; 3] = [1e-3, 1e-5, 1e-7];
@@ -35,8 +35,10 @@ const AT_THE_END: f64 = 1e-12;
 /// Two assemblies are the same where no number differs by more than this part.
 const SAME: f64 = 1e-6;
 
-/// How far from 1 the modulus of a real rotation may be: near a double root more than rounding leaves. Closing the loops decides.
+/// How far from 1 the squared modulus of a real rotation may be, where a path has come to its end and where it has not, as beside a double root. Closing
+/// the loops decides.
 const REAL: f64 = 1e-3;
+const NEARLY_REAL: f64 = 0.1;
 
 /// A group of links and pins as two linear spaces: the rotations z of its links, complex numbers, lie in one, their conjugates w in the conjugate one.
 ///
@@ -200,8 +202,11 @@ impl<'a> Paths<'a> {
                 ends.iter().flatten().map(|end| (self.rotations(&end.free), end.is_regular)).collect();
             let is_alone = |index: usize| (0..index).all(|other| !are_same(&reached[index].0, &reached[other].0));
             let are_all = reached.len() == number && (0..number).all(|index| reached[index].1 && is_alone(index));
-            let is_real = |rotations: &&Vec<Complex>| rotations.iter().all(|z| (z.norm_sqr() - 1.0).abs() < REAL);
-            starts.extend(reached.iter().map(|(rotations, _)| rotations).filter(is_real).cloned());
+            let is_real = |(rotations, is_regular): &&(Vec<Complex>, bool)| {
+                let off = if *is_regular { REAL } else { NEARLY_REAL };
+                rotations.iter().all(|z| (z.norm_sqr() - 1.0).abs() < off)
+            };
+            starts.extend(reached.iter().filter(is_real).map(|(rotations, _)| rotations.clone()));
             if are_all {
                 return (starts.iter().map(|rotations| self.start(rotations)).collect(), true);
             }
