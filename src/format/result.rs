@@ -194,6 +194,12 @@ pub struct GroupResult {
     /// How many assembly modes there are; of a group of higher class, how many were found. None where there are too many to count.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub modes: Option<usize>,
+    /// How many assembly modes it can have at most, as far as that is known: of links joined by pins alone as many as there are complex ones.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at_most: Option<u64>,
+    /// Whether it has assemblies besides in which it may move at fixed drives; these are no modes. Left out where none was found.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub may_move: bool,
 }
 
 /// The value of a quantity: a number, or a vector.
@@ -277,6 +283,8 @@ impl Solution {
                 proved: bounds.is_proved(index),
                 mode: pose.assemblies[index].map(|a| a.mode),
                 modes: pose.assemblies[index].map(|a| a.modes),
+                at_most: pose.assemblies[index].and_then(|a| a.at_most),
+                may_move: pose.assemblies[index].is_some_and(|a| a.may_move),
             }
         });
         let forces = self.forces();

@@ -2,7 +2,7 @@ use crate::accuracy::bounds;
 use crate::geometry::degrees_of;
 use crate::mechanism::{Body, BodyId, Class, Group, Joint, LoopEquations, Mechanism, PointId, Role};
 use crate::motion::motion;
-use crate::position::{Listed, Pose, search_warnings};
+use crate::position::{Assembly, Listed, Pose, search_warnings};
 use crate::scene::{GivenBy, Scene};
 use crate::sheet::Order;
 use crate::words::{Language, Wording};
@@ -95,7 +95,8 @@ fn joints(mechanism: &Mechanism, group: &Group) -> String {
 }
 
 /// Assembly modes of a mechanism as a numbered list, with the places of its inner points and the angles of its groups'
-/// links, and the number of all where not all are listed; below it the warning, if any, that there may be more modes.
+/// links, and the number of all where not all are listed; below it for each group but dyads how many of its modes were found, how many there can be,
+/// and whether there may be more.
 #[must_use]
 pub fn listed_modes(scene: &Scene, mechanism: &Mechanism, Listed { poses, count }: &Listed) -> String {
     let words = Wording::of(&scene.figure);
@@ -112,7 +113,23 @@ pub fn listed_modes(scene: &Scene, mechanism: &Mechanism, Listed { poses, count 
     let told = |pose: &Pose| certain_mode(scene, mechanism, pose, &words).join("\n     ");
     lines.extend(numbered.map(|(pose, number)| format!("{number:3}. {}", told(pose))));
     if scene.given_by == GivenBy::Lengths {
-        lines.extend(search_warnings(mechanism.for_positions()).map(|warning| language.says(&warning)));
+        let sought = mechanism.for_positions();
+        // Groups may have fewer modes in some assemblies of those before them.
+        let of_group = |index: usize| {
+            let all = || poses.iter().filter_map(|pose| *pose.assemblies.get(index)?);
+            let most = all().max_by_key(|assembly| assembly.modes)?;
+            Some(Assembly { may_move: all().any(|assembly| assembly.may_move), ..most })
+        };
+        let assemblies: Vec<Option<Assembly>> = (0..sought.groups.len()).map(of_group).collect();
+        for (group, assembly) in sought.groups.iter().zip(&assemblies) {
+            if let Some(Assembly { modes, at_most: Some(most), .. }) = *assembly
+                && group.class != Class::Second
+                && (group.class != Class::Higher || modes as u64 == most)
+            {
+                lines.push(language.modes_of_group(&group.link_names(sought), &modes.to_string(), &most.to_string()));
+            }
+        }
+        lines.extend(search_warnings(sought, &assemblies).map(|warning| language.says(&warning)));
     }
     lines.join("\n") + "\n"
 }

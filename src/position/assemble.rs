@@ -97,7 +97,7 @@ pub fn counted_poses(mechanism: &Mechanism, near: &Near) -> Result<Listed, Assem
     if mechanism.placing.is_some() {
         let modes = usize::try_from(count.number).ok().filter(|_| count.is_exact);
         for (index, whole) in found.iter_mut().enumerate() {
-            let assembly = modes.map(|modes| Assembly { mode: index + 1, modes });
+            let assembly = modes.map(|modes| Assembly::of_whole(index + 1, modes));
             whole.assemblies = vec![assembly; mechanism.groups.len()];
         }
     }
@@ -136,7 +136,7 @@ pub fn numbered_pose(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<
     if mechanism.placing.is_some() {
         let all = counted(&mut tree, MOST_WORK);
         let modes = usize::try_from(all.number).ok().filter(|_| all.is_exact);
-        whole.assemblies = vec![modes.map(|modes| Assembly { mode, modes }); mechanism.groups.len()];
+        whole.assemblies = vec![modes.map(|modes| Assembly::of_whole(mode, modes)); mechanism.groups.len()];
     }
     Ok(whole.pose(mechanism))
 }
@@ -207,6 +207,7 @@ fn no_assembly(whole: &Mechanism, listing: Listing<'_, '_>) -> AssemblyError {
             match no_mode {
                 NoMode::Apart(miss) => AssemblyError::NoMode { links, at, miss, ranges: ranges(whole) },
                 NoMode::Parallel(link) => AssemblyError::ParallelGuides { links, link },
+                NoMode::Moves => AssemblyError::Moves { links },
                 NoMode::NotFound(tried) => AssemblyError::NotFound { links, at, tried },
             }
         }
@@ -220,7 +221,7 @@ fn number(tree: &mut Tree<'_>, whole: &WholeAssembly) -> Option<Assembly> {
     let same = |other: &WholeAssembly| other.assemblies == whole.assemblies;
     let mode = listing.position(|other| same(&other))? + 1;
     let rest = listing.by_ref().count();
-    (!listing.is_stopped).then_some(Assembly { mode, modes: mode + rest })
+    (!listing.is_stopped).then_some(Assembly::of_whole(mode, mode + rest))
 }
 
 /// The given drive angles and positions, as ` at angle(1) = 70°`.

@@ -26,6 +26,9 @@ mod frames;
 pub mod legs;
 mod modes;
 mod nearest;
+#[doc(hidden)] // for tests
+pub mod number;
+mod paths;
 mod platform;
 #[doc(hidden)] // for tests
 mod reach;
@@ -74,6 +77,17 @@ pub struct Assembly {
     pub mode: usize,
     /// Number of modes of the group.
     pub modes: usize,
+    /// How many modes the group can have at most, as far as that is known.
+    pub at_most: Option<u64>,
+    /// Whether the group has assemblies besides in which it may move at fixed drives; these are no modes.
+    pub may_move: bool,
+}
+
+impl Assembly {
+    /// A mode of a whole mechanism.
+    fn of_whole(mode: usize, modes: usize) -> Assembly {
+        Assembly { mode, modes, at_most: None, may_move: false }
+    }
 }
 
 impl Pose {
@@ -162,6 +176,11 @@ pub enum AssemblyError {
         /// The number of starts and the smallest gap.
         tried: Message,
     },
+    /// All assemblies found of a group of higher class are such that it may move at fixed drives.
+    Moves {
+        /// The group's links.
+        links: String,
+    },
 }
 
 /// A range as it is told: to hundredths of a degree within it.
@@ -193,6 +212,7 @@ impl AssemblyError {
                 (says::too_many_modes(*mode, *count), says::rough_places_choose())
             }
             AssemblyError::TooMuchWork => (says::too_much_work(), says::rough_places()),
+            AssemblyError::Moves { links } => (says::moves(links), says::other_angle_or_lengths()),
             AssemblyError::NotFound { links, at, tried } => {
                 (says::not_found(links, at.clone(), tried.clone()), says::rough_places_or_other())
             }

@@ -1,12 +1,15 @@
 use super::closing::{Assembled, Closer, places};
 use super::frames::{Frames, pinned};
+use super::number::most_modes;
+use super::paths::Paths;
 use super::platform::Platform;
 use super::says;
-use super::search::{Rough, Search};
+use super::search::{GUIDED, Rough, Search};
 use super::wheels;
-use crate::geometry::{BoundingBox, Point, Turn, Vector, cross, degrees_of};
+use crate::geometry::{BoundingBox, Point, Random, Turn, Vector, cross, degrees_of, turn_of_degrees};
 use crate::mechanism::{BodyId, Class, Group, LoopEquations, Mechanism, SliderId};
 use crate::message::Message;
+use std::cell::OnceCell;
 use std::cmp::Ordering;
 
 /// Largest gap of a closed loop, relative to the mechanism's size: far more than the rounding that Newton's method
@@ -42,6 +45,16 @@ const NEAR_TURN: f64 = 1e-3;
 /// exceeds it, two modes that nearly coincide do not.
 const MOVABLE: f64 = 1e10;
 
+/// How far a singular assembly is pushed, in degrees and in hundredths of the size, to see whether it moves; and how often.
+const PUSH: f64 = 0.5;
+const PUSHES: usize = 4;
+
+/// Most complex modes of a group whose modes are found by paths from those of other lengths; of more a search is quicker.
+const MOST_PATHS: u64 = 400;
+
+/// The work of a path, in closings of loops.
+const PATH: usize = 5;
+
 /// Most bodies that count in the work of closing a group: what is far from it costs nothing.
 const MOST_COUNTED: usize = 40;
 
@@ -53,6 +66,18 @@ pub(super) enum NoMode {
     Parallel(String),
     /// The search found none: number of starts and smallest gap.
     NotFound(Message),
+    /// All that were found may move at fixed drives.
+    Moves,
+}
+
+/// The assembly modes of a group.
+pub(super) struct GroupModes {
+    /// Those that stand, in order.
+    pub modes: Vec<Assembled>,
+    /// One of the assemblies in which the group may move at fixed drives, if it has any.
+    pub moving: Option<Assembled>,
+    /// How many modes there can be at most, as far as that is known.
+    pub at_most: Option<u64>,
 }
 
 /// Finds the assembly modes of one group after another, over and over, for all assemblies of the groups before.
@@ -72,6 +97,8 @@ pub(super) struct Assembler<'a> {
 struct Prepared {
     equations: LoopEquations,
     levers: Vec<Lever>,
+    /// How many modes there can be at most, once it has been asked for.
+    at_most: OnceCell<Option<u64>>,
 }
 
 impl<'a> Assembler<'a> {
@@ -79,7 +106,7 @@ impl<'a> Assembler<'a> {
     pub(super) fn new(mechanism: &'a Mechanism, known: &Frames, rough: Rough) -> Assembler<'a> {
         let prepared = |group: &Group| {
             let equations = LoopEquations::new(mechanism, group);
-            Prepared { levers: Lever::all(mechanism, group, &equations), equations }
+            Prepared { levers: Lever::all(mechanism, group, &equations), equations, at_most: OnceCell::new() }
         };
         let places = known.places(mechanism, mechanism.body_ids());
         Assembler {
@@ -97,14 +124,20 @@ impl<'a> Assembler<'a> {
     /// They are ordered by the angle of the group's first rotating link, counter-clockwise from +x; where none rotates,
     /// by the positions of its sliders. A slotted lever with one point has its slider on the positive side; where
     /// `near` gives its angle, both orientations are modes.
-    pub(super) fn modes(&mut self, index: usize, known: &Frames, slides: &[f64]) -> Result<Vec<Assembled>, NoMode> {
+    ///
+    /// A group of higher class is put together near the rough places first. Where it has only pins, paths from other lengths then lead to all its modes,
+    /// whatever its links are called and wherever it lies; where it has sliders, or some of its modes do not stand by themselves, random starts follow.
+    pub(super) fn modes(&mut self, index: usize, known: &Frames, slides: &[f64]) -> Result<GroupModes, NoMode> {
         let (mechanism, group) = (self.mechanism, &self.mechanism.groups[index]);
+        let at_most = *self.groups[index].at_most.get_or_init(|| most_modes(mechanism, group));
         let mut modes = Modes {
             assembler: self,
             index,
             group,
             found: Vec::new(),
             points: Vec::new(),
+            moving: None,
+            at_most,
             is_regular: false,
             smallest_gap: f64::INFINITY,
         };
@@ -125,13 +158,18 @@ impl<'a> Assembler<'a> {
             }
         } else {
             let mut search = Search::new(mechanism, group, known, slides, &modes.assembler.rough);
-            while !search.is_over(modes.found.len(), modes.is_regular) {
+            let mut are_all = false;
+            while !are_all && !search.is_over(modes.found.len(), modes.is_regular) {
                 let start = search.start();
                 if modes.close(start, search.size) {
                     search.count_closed();
                 }
+                if search.starts == GUIDED {
+                    are_all = modes.follow_paths(known, slides, &mut search);
+                }
             }
-            if modes.found.is_empty() {
+            modes.leave_out_surplus();
+            if modes.found.is_empty() && modes.moving.is_none() {
                 let (starts, gap) = (search.starts, modes.smallest_gap);
                 let tried = match gap.is_finite() {
                     true => says::none_closes_but(starts, format!("{gap:.1e}")),
@@ -152,6 +190,10 @@ struct Modes<'s, 'a> {
     found: Vec<Assembled>,
     /// By mode: the places of the group's points.
     points: Vec<Vec<Point>>,
+    /// The first assembly in which the group may move at fixed drives; of a whole curve no other is kept.
+    moving: Option<Assembled>,
+    /// How many modes there can be at most, as far as that is known.
+    at_most: Option<u64>,
     /// Whether the loop equations are regular in at least one mode, so that the group cannot move at fixed drives.
     is_regular: bool,
     smallest_gap: f64,
@@ -185,12 +227,75 @@ impl Modes<'_, '_> {
         let size = self.size(&points);
         let is_known = (0..self.found.len()).any(|other| self.is_same(other, &assembled, &points, size));
         if !is_known {
-            // Only a search stops by it.
-            self.is_regular = self.is_regular || group.class == Class::Higher && self.condition(&assembled) < MOVABLE;
+            if group.class == Class::Higher {
+                let is_regular = self.condition(&assembled) < MOVABLE;
+                // Only a search stops by it.
+                self.is_regular |= is_regular;
+                if !is_regular && (self.moving.is_some() || self.moves(&assembled, &points, size)) {
+                    self.moving.get_or_insert(assembled);
+                    return true;
+                }
+            }
             self.found.push(assembled);
             self.points.push(points);
         }
         true
+    }
+
+    /// Closes the loops from where paths from other lengths lead, if the group has only pins; whether these are all modes.
+    fn follow_paths(&mut self, known: &Frames, slides: &[f64], search: &mut Search<'_>) -> bool {
+        let number = self.at_most.filter(|&most| most <= MOST_PATHS);
+        let Some((number, mut paths)) = number.zip(Paths::new(self.assembler.mechanism, self.group, known, slides))
+        else {
+            return false;
+        };
+        let (starts, are_all) = paths.starts(number as usize);
+        self.assembler.work += PATH * paths.followed * self.assembler.mechanism.bodies.len().min(MOST_COUNTED);
+        for start in starts {
+            self.close(start, search.size);
+        }
+        let are_all = are_all && self.moving.is_none();
+        search.starts += if are_all { paths.followed } else { 0 };
+        are_all
+    }
+
+    /// Leaves out what is more than there can be: such assemblies are parts of a curve, as well as rounding can tell.
+    fn leave_out_surplus(&mut self) {
+        let Some(most) = self.at_most.filter(|&most| self.found.len() as u64 > most) else {
+            return;
+        };
+        let mut found: Vec<(f64, Assembled)> =
+            std::mem::take(&mut self.found).into_iter().map(|a| (self.condition(&a), a)).collect();
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let surplus = found.split_off(most as usize).into_iter().map(|(_, assembled)| assembled).next();
+        self.moving = self.moving.take().or(surplus);
+        self.found = found.into_iter().map(|(_, assembled)| assembled).collect();
+    }
+
+    /// Whether the group moves from a singular assembly at fixed drives: pushed a little, it closes elsewhere, and is singular there, too.
+    fn moves(&mut self, assembled: &Assembled, points: &[Point], size: f64) -> bool {
+        let (mechanism, group) = (self.assembler.mechanism, self.group);
+        let mut random = Random(0x7075_7368);
+        (0..PUSHES).any(|_| {
+            let mut pushed = assembled.clone();
+            for &link in &group.links {
+                if let Some(frame) = assembled.frames.of(link) {
+                    let turn = turn_of_degrees(PUSH * random.within()) * frame.rotation;
+                    pushed.frames.set_compound(mechanism, link, pinned(turn, Point::origin(), Point::origin()));
+                }
+            }
+            for &joint in &group.joints {
+                if let Some(id) = mechanism.joint(joint).slider {
+                    pushed.slides[id.0] += 0.01 * PUSH * random.within() * size;
+                }
+            }
+            let closer = &mut self.assembler.closer;
+            let first = closer.closed(self.index, pushed);
+            let closed = closer.closed(self.index, first);
+            let there = self.places(&closed);
+            let apart = there.iter().zip(points).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
+            closed.gap <= CLOSED && apart > NEIGHBOURS * size && self.condition(&closed) >= MOVABLE
+        })
     }
 
     /// Whether an assembly of that size with a small gap closes, and does not only come near it.
@@ -239,13 +344,14 @@ impl Modes<'_, '_> {
     }
 
     /// All modes in order. A lever whose angle `near` gives is listed in both orientations.
-    fn sorted(self) -> Vec<Assembled> {
-        let Prepared { equations, levers } = &self.assembler.groups[self.index];
-        let mut found = self.found;
+    fn sorted(self) -> GroupModes {
+        let Prepared { equations, levers, .. } = &self.assembler.groups[self.index];
+        let (mut found, mut at_most) = (self.found, self.at_most);
         for lever in levers {
             if lever.links.iter().any(|&link| self.assembler.rough.angle(link).is_some()) {
                 let reversed = found.iter().map(|a| lever.reversed(self.assembler.mechanism, a));
                 found.extend(reversed.collect::<Vec<_>>());
+                at_most = at_most.map(|most| 2 * most);
             }
         }
         let mut links = self.group.links.iter();
@@ -259,7 +365,7 @@ impl Modes<'_, '_> {
             let slides = slides.map(|(a, b)| a.total_cmp(b));
             slides.fold(angle(a).total_cmp(&angle(b)), Ordering::then)
         });
-        found
+        GroupModes { modes: found, moving: self.moving, at_most }
     }
 }
 

@@ -158,7 +158,7 @@ impl Level {
         let Some(Choice { cost, laid, placed }) = self.choices.next() else {
             return false;
         };
-        let mode = placed.assembly.mode;
+        let mode = placed.assembly.map_or(usize::MAX, |assembly| assembly.mode);
         // The modes after it are no nearer.
         if is_hasty && self.best.is_some() || self.is_useless(cost, mode) {
             return false;

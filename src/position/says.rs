@@ -27,6 +27,7 @@ messages! { "position":
     rough_places;
     not_found(links, at, tried);
     rough_places_or_other;
+    moves(links);
     none_closes(starts);
     none_closes_but(starts, gap);
 
@@ -37,5 +38,7 @@ messages! { "position":
     point_far_off(point, x, y, off, count);
     not_chosen(links, count, listed);
     searched(links);
+    searched_of(links, found, most);
+    may_move(links);
     nearly_flat(link);
 }

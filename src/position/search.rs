@@ -8,7 +8,7 @@ use crate::scene::Near;
 use std::f64::consts::TAU;
 
 /// Starts that use the rough places; links without a rough place are random each time.
-const GUIDED: usize = 16;
+pub(super) const GUIDED: usize = 16;
 
 /// Fewest random starts. Of 300 random groups of six links, 295 have as many modes with these as with ten times as
 /// many.

@@ -1,4 +1,4 @@
-use super::closing::places;
+use super::closing::{Assembled, places};
 use super::frames::{Frames, driven_position};
 use super::modes::{Assembler, NoMode};
 use super::says;
@@ -27,7 +27,8 @@ pub(super) struct Tree<'a> {
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
     pub group: usize,
-    pub assembly: Assembly,
+    /// Its mode; none where the group may move at fixed drives.
+    pub assembly: Option<Assembly>,
     pub frames: Vec<(BodyId, Placement)>,
     /// Angles of its wheels, with their whole turns.
     turned: Vec<(BodyId, f64)>,
@@ -56,20 +57,31 @@ impl<'a> Tree<'a> {
         Tree { mechanism, assembler, down: WholeAssembly { frames, slides, assemblies }, order }
     }
 
-    /// The modes of a group, in their order; all groups on which it hangs must be down, and it must not.
+    /// The modes of a group, in their order, and at last one assembly in which it may move, if there is any; all groups on which it hangs must be
+    /// down, and it must not.
     pub(super) fn modes(&mut self, group: usize) -> Result<Vec<Placed>, NoMode> {
         let found = self.assembler.modes(group, &self.down.frames, &self.down.slides)?;
-        let modes = found.len();
+        let (modes, may_move) = (found.modes.len(), found.moving.is_some());
+        let number = |index| Assembly { mode: index + 1, modes, at_most: found.at_most, may_move };
         let joints = self.mechanism.groups[group].joints.iter();
         let sliders: Vec<usize> = joints.filter_map(|&j| self.mechanism.joint(j).slider).map(|id| id.0).collect();
-        let placed = found.into_iter().enumerate().map(|(index, assembled)| Placed {
+        let placed = |assembly, assembled: Assembled| Placed {
             group,
-            assembly: Assembly { mode: index + 1, modes },
+            assembly,
             slides: sliders.iter().map(|&id| (id, assembled.slides[id])).collect(),
             turned: wheels::degrees(&assembled, &self.mechanism.groups[group].links),
             frames: assembled.frames.set,
-        });
-        Ok(placed.collect())
+        };
+        let standing =
+            found.modes.into_iter().enumerate().map(|(index, assembled)| placed(Some(number(index)), assembled));
+        Ok(standing.chain(found.moving.into_iter().map(|assembled| placed(None, assembled))).collect())
+    }
+
+    /// The modes of a group that stand at fixed drives.
+    fn standing(&mut self, group: usize) -> Result<Vec<Placed>, NoMode> {
+        let mut modes = self.modes(group)?;
+        modes.retain(|placed| placed.assembly.is_some());
+        if modes.is_empty() { Err(NoMode::Moves) } else { Ok(modes) }
     }
 
     /// Takes a group away.
@@ -178,7 +190,7 @@ impl WholeAssembly {
         self.frames.settle(&placed.frames);
         placed.turned.iter().for_each(|&(body, degrees)| self.frames.set_degrees(body, degrees));
         placed.slides.iter().for_each(|&(id, position)| self.slides[id] = position);
-        self.assemblies[placed.group] = Some(placed.assembly);
+        self.assemblies[placed.group] = placed.assembly;
     }
 
     /// The pose of `mechanism`. It may have fewer bodies and sliders than its [`Mechanism::for_positions`], to which
@@ -195,18 +207,27 @@ impl WholeAssembly {
             points,
             guides,
             slides: self.slides[..mechanism.sliders.len()].iter().copied().map(Some).collect(),
+            warnings: search_warnings(mechanism.for_positions(), &self.assemblies).collect(),
             assemblies: self.assemblies,
-            warnings: search_warnings(mechanism.for_positions()).collect(),
         }
     }
 }
 
-/// Warnings for groups whose assembly modes come from a search, not from a polynomial. A group without a loop has one
-/// mode.
-pub(crate) fn search_warnings(mechanism: &Mechanism) -> impl Iterator<Item = Message> {
-    let groups = mechanism.groups.iter();
-    let higher = groups.filter(|group| group.class == Class::Higher && !group.loops.is_empty());
-    higher.map(|group| says::searched(group.link_names(mechanism)))
+/// Warnings for groups whose assembly modes come from a search, not from a polynomial, unless all that there can be have been found; and for groups that may
+/// move at fixed drives. A group without a loop has one mode.
+pub(crate) fn search_warnings(mechanism: &Mechanism, assemblies: &[Option<Assembly>]) -> impl Iterator<Item = Message> {
+    let groups = mechanism.groups.iter().enumerate();
+    let higher = groups.filter(|(_, group)| group.class == Class::Higher && !group.loops.is_empty());
+    higher.flat_map(|(index, group)| {
+        let links = group.link_names(mechanism);
+        let (searched, may_move) = match assemblies.get(index).copied().flatten() {
+            Some(Assembly { modes, at_most: Some(most), may_move, .. }) => {
+                (((modes as u64) < most).then(|| says::searched_of(&links, modes, most)), may_move)
+            }
+            _ => (Some(says::searched(&links)), false),
+        };
+        searched.into_iter().chain(may_move.then(|| says::may_move(&links)))
+    })
 }
 
 /// All assemblies of a mechanism, one after another in the order of their numbers: that of the first group's modes,
@@ -235,7 +256,7 @@ impl<'t, 'a> Listing<'t, 'a> {
 
     /// Finds the modes of the next group.
     fn enter(&mut self, group: usize) {
-        match self.tree.modes(group) {
+        match self.tree.standing(group) {
             Ok(modes) => self.levels.push((modes, 0)),
             Err(no_mode) => {
                 if self.failure.as_ref().is_none_or(|(deepest, _)| group > *deepest) {
@@ -315,7 +336,7 @@ pub(super) fn counted(tree: &mut Tree<'_>, most_work: usize) -> Count {
             }
             Some((_, solved)) if is_exact => {
                 let group = level.parts[solved];
-                let modes = tree.modes(group).unwrap_or_default();
+                let modes = tree.standing(group).unwrap_or_default();
                 let parts = tree.order.next[group].clone();
                 levels.push(Level { group: Some(group), parts, modes: modes.into_iter(), total: 0, trial: None });
             }

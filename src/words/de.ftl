@@ -313,6 +313,7 @@ modes = {$count ->
 modes_at_least = mindestens {$count}
 modes_listed = {$modes}, aufgeführt sind die ersten {$listed}
 modes_heading = {$modes}; Koordinaten in {$unit}, Winkel in Grad
+modes_of_group = Glieder {$links}: {$found} gefunden, höchstens {$most} möglich
 
 # The report on a student's values.
 
@@ -1313,6 +1314,7 @@ position-too_much_work = es wurde kein Weg gefunden, alle Glieder zusammenzusetz
 position-rough_places = ungefähre Orte ihrer Punkte in `near`
 position-not_found = es wurde kein Weg gefunden, die Glieder {$links}{$at} zusammenzusetzen: {$tried}
 position-rough_places_or_other = ungefähre Orte ihrer Punkte in `near`, ein anderer Antriebswinkel oder andere Längen
+position-moves = Glieder {$links} können sich bei stehenden Antrieben bewegen, obwohl ihr Freiheitsgrad 0 ist: keine der gefundenen Lagen ist eine Einbaulage
 position-none_closes = von {$starts} Startwerten schließt keiner
 position-none_closes_but = von {$starts} Startwerten schließt keiner, der nächste lässt eine Lücke vom {$gap}-Fachen der Größe des Mechanismus
 
@@ -1323,7 +1325,9 @@ position-at_least = mindestens {$count}
 position-far_off = `near` ist im quadratischen Mittel {$distance} von der nächsten Einbaulage entfernt (Anzahl: {$count}), mehr als die halbe Größe des Mechanismus, {$size}: prüfen Sie die Koordinaten
 position-point_far_off = Punkt {$point} liegt bei [{$x}, {$y}], {$off} von seinem Ort in `near` entfernt, in der nächsten Einbaulage (Anzahl: {$count}): prüfen Sie die Koordinaten
 position-not_chosen = Glieder {$links} lassen sich auf {$count} Arten zusammensetzen, und `near` ist nicht gegeben; genommen wird Einbaulage 1: {$listed}
-position-searched = Glieder {$links} bilden eine Gruppe höherer Klasse: ihre Einbaulagen wurden durch Suche gefunden, es kann weitere geben
+position-searched = Glieder {$links} bilden eine Gruppe höherer Klasse: ihre Einbaulagen wurden durch Suche gefunden, es kann weitere geben; wie viele es geben kann, ist nicht bekannt
+position-searched_of = Glieder {$links} bilden eine Gruppe höherer Klasse: {$found} ihrer Einbaulagen wurden durch Suche gefunden, es kann weitere geben, aber höchstens {$most}
+position-may_move = Glieder {$links} können sich bei stehenden Antrieben bewegen, obwohl ihr Freiheitsgrad 0 ist: neben den Einbaulagen gibt es eine ganze Kurve von Lagen
 position-nearly_flat = Glied {$link}: seine Punkte liegen fast auf einer Geraden, und `near` passt zu seinem Dreieck und zum Spiegelbild fast gleich gut; genommen wird das nähere. Um zu wählen, geben Sie `shape` an, oder Orte in `near` mit mehr Ziffern
 
 

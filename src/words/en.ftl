@@ -331,6 +331,7 @@ modes = {$count ->
 modes_at_least = at least {$count}
 modes_listed = {$modes}, listed are the first {$listed}
 modes_heading = {$modes}; coordinates in {$unit}, angles in degrees
+modes_of_group = links {$links}: {$found} found, {$most} at most
 
 # The report on a student's values.
 
@@ -1345,6 +1346,7 @@ position-too_much_work = no way to assemble all links was found: the first ones 
 position-rough_places = rough places of their points in `near`
 position-not_found = no way to assemble links {$links}{$at} was found: {$tried}
 position-rough_places_or_other = rough places of their points in `near`, another drive angle, or other lengths
+position-moves = links {$links} may move while the drives stand still, although their mobility is 0: none of the assemblies found is an assembly mode
 position-none_closes = none of {$starts} starts closes
 position-none_closes_but = none of {$starts} starts closes, the nearest leaves a gap of {$gap} of the mechanism's size
 
@@ -1355,7 +1357,9 @@ position-at_least = at least {$count}
 position-far_off = `near` is {$distance} away (root mean square) from the closest of {$count} assembly modes, more than half the mechanism's size {$size}: check its coordinates
 position-point_far_off = point {$point} is at [{$x}, {$y}], {$off} away from its place in `near`, in the closest of {$count} assembly modes: check its coordinates
 position-not_chosen = links {$links} can be assembled in {$count} ways and `near` is not given, so mode 1 is taken: {$listed}
-position-searched = links {$links} form a group of higher class: its assembly modes were found by a search, and there may be more
+position-searched = links {$links} form a group of higher class: its assembly modes were found by a search, and there may be more; how many there can be is not known
+position-searched_of = links {$links} form a group of higher class: {$found} of its assembly modes were found by a search, and there may be more, but {$most} at most
+position-may_move = links {$links} may move while the drives stand still, although their mobility is 0: besides the assembly modes there is a whole curve of positions
 position-nearly_flat = link {$link}: its points lie nearly on a line, and `near` fits its triangle and the mirror image almost equally well; the nearer one is taken. Give its `shape`, or places in `near` with more digits, to choose
 
 

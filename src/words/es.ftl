@@ -311,6 +311,7 @@ modes = {$count ->
 modes_at_least = al menos {$count}
 modes_listed = {$modes}, se muestran los primeros {$listed}
 modes_heading = {$modes}; coordenadas en {$unit}, ángulos en grados
+modes_of_group = eslabones {$links}: se hallaron {$found}, puede haber {$most} como máximo
 
 # The report on a student's values.
 
@@ -1311,6 +1312,7 @@ position-too_much_work = no se encontró ninguna manera de montar todos los esla
 position-rough_places = lugares aproximados de sus puntos en `near`
 position-not_found = no se encontró ninguna manera de montar los eslabones {$links}{$at}: {$tried}
 position-rough_places_or_other = lugares aproximados de sus puntos en `near`, otro ángulo del accionamiento, u otras longitudes
+position-moves = los eslabones {$links} pueden moverse con los accionamientos parados, aunque su movilidad es 0: ninguno de los montajes hallados es un modo de montaje
 position-none_closes = ninguno de los {$starts} comienzos cierra
 position-none_closes_but = ninguno de los {$starts} comienzos cierra; el más próximo deja un hueco de {$gap} del tamaño del mecanismo
 
@@ -1321,7 +1323,9 @@ position-at_least = al menos {$count}
 position-far_off = `near` está a {$distance} (media cuadrática) del más próximo de los modos de montaje (en total {$count}), más de la mitad del tamaño del mecanismo, {$size}: compruebe sus coordenadas
 position-point_far_off = el punto {$point} está en [{$x}, {$y}], a {$off} de su lugar en `near`, en el más próximo de los modos de montaje (en total {$count}): compruebe sus coordenadas
 position-not_chosen = los eslabones {$links} se pueden montar de {$count} maneras y no se da `near`, así que se toma el modo 1: {$listed}
-position-searched = los eslabones {$links} forman un grupo de clase superior: sus modos de montaje se hallaron por búsqueda, y puede haber más
+position-searched = los eslabones {$links} forman un grupo de clase superior: sus modos de montaje se hallaron por búsqueda, y puede haber más; no se sabe cuántos puede haber
+position-searched_of = los eslabones {$links} forman un grupo de clase superior: {$found} de sus modos de montaje se hallaron por búsqueda, y puede haber más, pero {$most} como máximo
+position-may_move = los eslabones {$links} pueden moverse con los accionamientos parados, aunque su movilidad es 0: además de los modos de montaje hay toda una curva de posiciones
 position-nearly_flat = eslabón {$link}: sus puntos están casi en línea recta, y `near` vale casi igual para su triángulo y para la imagen especular; se toma el más próximo. Para elegir, dé su `shape`, o lugares en `near` con más cifras
 
 

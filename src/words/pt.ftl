@@ -313,6 +313,7 @@ modes = {$count ->
 modes_at_least = pelo menos {$count}
 modes_listed = {$modes}, listam-se os primeiros {$listed}
 modes_heading = {$modes}; coordenadas em {$unit}, ângulos em graus
+modes_of_group = elos {$links}: {$found} achados, {$most} no máximo
 
 # The report on a student's values.
 
@@ -1313,6 +1314,7 @@ position-too_much_work = não se encontrou nenhuma forma de montar todos os elos
 position-rough_places = lugares aproximados dos seus pontos em `near`
 position-not_found = não se encontrou nenhuma forma de montar os elos {$links}{$at}: {$tried}
 position-rough_places_or_other = lugares aproximados dos seus pontos em `near`, outro ângulo do acionamento, ou outros comprimentos
+position-moves = os elos {$links} podem se mover com os acionamentos parados, embora sua mobilidade seja 0: nenhuma das montagens achadas é um modo de montagem
 position-none_closes = nenhum dos {$starts} começos fecha
 position-none_closes_but = nenhum dos {$starts} começos fecha; o mais próximo deixa uma folga de {$gap} do tamanho do mecanismo
 
@@ -1323,7 +1325,9 @@ position-at_least = pelo menos {$count}
 position-far_off = `near` está a {$distance} (média quadrática) do mais próximo dos modos de montagem (ao todo {$count}), mais da metade do tamanho do mecanismo, {$size}: confira suas coordenadas
 position-point_far_off = o ponto {$point} está em [{$x}, {$y}], a {$off} do seu lugar em `near`, no mais próximo dos modos de montagem (ao todo {$count}): confira suas coordenadas
 position-not_chosen = os elos {$links} podem ser montados de {$count} formas e `near` não é dado, portanto toma-se o modo 1: {$listed}
-position-searched = os elos {$links} formam um grupo de classe superior: seus modos de montagem foram achados por busca, e pode haver mais
+position-searched = os elos {$links} formam um grupo de classe superior: seus modos de montagem foram achados por busca, e pode haver mais; não se sabe quantos pode haver
+position-searched_of = os elos {$links} formam um grupo de classe superior: {$found} dos seus modos de montagem foram achados por busca, e pode haver mais, mas {$most} no máximo
+position-may_move = os elos {$links} podem se mover com os acionamentos parados, embora sua mobilidade seja 0: além dos modos de montagem há toda uma curva de posições
 position-nearly_flat = elo {$link}: seus pontos estão quase em linha reta, e `near` serve quase igualmente para seu triângulo e para a imagem espelhada; toma-se o mais próximo. Para escolher, dê seu `shape`, ou lugares em `near` com mais algarismos
 
 

@@ -18,7 +18,7 @@
 //!   `centers_checked` holds forms of centres to independent digits, `forces_checked` those of forces, with their mistakes and exercises.
 //! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles, `studies` the assemblies of a study's mechanisms to those of each by itself; `planted_modes` and
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
-//!   `levers` turns slotted levers round.
+//!   `levers` turns slotted levers round; `mode_counts` holds numbers of complex modes to tables, modes to published roots, and asks for the same in every order and turn.
 //! - Forces: `forces` holds what joints and drives carry to 35 cases of 60 digits, to virtual power, to energy over a turn and to momentum;
 //!   `force_tables` holds tables of them to single positions, `free_bodies` stated errors of random mechanisms to numbers of 256 bits; `named_forces` holds parts of reactions, arms, inertia, moments, powers and shaking forces to them, by their names;
 //!   `polygons` holds force plans to these cases, and of random groups to the equations of equilibrium, and sees their polygons close.
@@ -115,6 +115,7 @@ mod levers;
 mod markers;
 mod marks;
 mod messages;
+mod mode_counts;
 mod named_forces;
 mod numbers;
 mod orders;

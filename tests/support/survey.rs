@@ -85,6 +85,11 @@ pub const FORCED: By<u64> = By(30, 600, 2000);
 pub const PLANTED_GROUPS: By<usize> = By(50, 800, 4000);
 /// Random groups of `higher_class`.
 pub const HIGHER_CLASS: By<usize> = By(3, 6, 120);
+/// Of the larger trusses of `mode_counts` every so many-th is counted.
+pub const COUNTED_TRUSSES: By<usize> = By(59, 7, 1);
+/// Random groups there, each in three orders and turns, and further turns of one group.
+pub const TURNED_GROUPS: By<u64> = By(9, 90, 3000);
+pub const LOST_TURNS: By<usize> = By(2, 10, 40);
 /// Four-bars of each kind of `cycle::four_bars`.
 pub const FOUR_BARS: By<usize> = By(5, 10, 50);
 /// Positions on the path of each of them.

@@ -135,4 +135,5 @@ sentences! {
     modes_at_least(count);
     modes_listed(modes, listed);
     modes_heading(modes, unit);
+    modes_of_group(links, found, most);
 }
