@@ -74,7 +74,7 @@ fn routes(context: &SheetContext<'_>) -> (String, bool) {
     let has_plan = context.figure().shown_panels().iter().any(|panel| panel.order().is_some());
     if let (false, Some(centers)) = (has_plan, &construction.centers) {
         let Some(worst) = centers.agreement else { return (String::new(), true) };
-        let [difference, allowed] = [worst.difference, worst.allowed].map(|x| context.words.agreement(x, BOUND));
+        let [difference, allowed] = [worst.difference, worst.allowed].map(|x| context.words.write(x, BOUND));
         return (language.centers_differ(&difference, &allowed), true);
     }
     if !has_plan && construction.forces.is_some() {
@@ -84,7 +84,7 @@ fn routes(context: &SheetContext<'_>) -> (String, bool) {
     let worst = known.max_by(|a, b| a.difference.total_cmp(&b.difference));
     match worst {
         Some(worst) if construction.agreement.iter().all(Option::is_some) => {
-            let [difference, allowed] = [worst.difference, worst.allowed].map(|x| context.words.agreement(x, BOUND));
+            let [difference, allowed] = [worst.difference, worst.allowed].map(|x| context.words.write(x, BOUND));
             (language.agreement(&difference, &allowed), true)
         }
         _ => {
@@ -98,7 +98,7 @@ fn routes(context: &SheetContext<'_>) -> (String, bool) {
 /// The sentence on the agreement of a force plan with the equations of equilibrium.
 fn forces(context: &SheetContext<'_>) -> Option<String> {
     let worst = context.construction().forces.as_ref()?.agreement?;
-    let [difference, allowed] = [worst.difference, worst.allowed].map(|x| context.words.agreement(x, BOUND));
+    let [difference, allowed] = [worst.difference, worst.allowed].map(|x| context.words.write(x, BOUND));
     Some(context.words.language.forces_differ(&difference, &allowed))
 }
 

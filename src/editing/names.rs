@@ -259,10 +259,10 @@ impl<'a> Renamer<'a> {
 
     /// The name of a load, as `weight(2)`, `friction(3/2)` or `friction(B,2)`, or of a couple without a name of its own, as `M3`.
     fn load(&self, name: &str) -> Option<String> {
-        if self.what == Named::Link && self.names.couples.contains(self.from) && !self.names.of_loads.contains(name) {
-            if let Some(number) = couple_number(name, self.from) {
-                return Some(couple_name(number, self.to));
-            }
+        let is_numbered =
+            self.what == Named::Link && self.names.couples.contains(self.from) && !self.names.of_loads.contains(name);
+        if let Some(number) = couple_number(name, self.from).filter(|_| is_numbered) {
+            return Some(couple_name(number, self.to));
         }
         let (of, link) = name.strip_suffix(')')?.split_once('(')?;
         if let Some((sliding, on)) = link.split_once('/') {

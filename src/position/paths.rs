@@ -66,6 +66,9 @@ pub(super) struct Paths<'a> {
 /// Numbers of the free links.
 type Free = [Complex; MOST_LOOPS];
 
+/// The rounds of a way, and by its end the assemblies from which it has been gone.
+type Gone = (Vec<[f64; 3]>, [Vec<usize>; 2]);
+
 /// A way through the products λ of all links, from real ones to others, whose logarithms it is given: each goes round zero some times, with a wave of its
 /// angle and of its logarithm.
 struct Way<'w> {
@@ -236,7 +239,7 @@ impl<'a> Paths<'a> {
             (0..self.links.len()).map(|link| 2.0 * self.scales[link] + self.random.within()).collect(),
         ];
         let mut found = [vec![first], Vec::new()];
-        let mut ways: Vec<(Vec<[f64; 3]>, [Vec<usize>; 2])> = Vec::new();
+        let mut ways: Vec<Gone> = Vec::new();
         loop {
             // The next assembly at either end of a way from which it has not been gone.
             let next = ways.iter().enumerate().find_map(|(way, (_, gone))| {
@@ -440,9 +443,9 @@ impl<'a> Paths<'a> {
             let inverse = pivot.conj() / pivot.norm_sqr();
             for row in step + 1..size {
                 let times = matrix[row][step] * inverse;
-                for column in step + 1..size {
-                    let above = matrix[step][column];
-                    matrix[row][column] -= times * above;
+                let pivot_row = matrix[step];
+                for (entry, above) in matrix[row].iter_mut().zip(pivot_row).take(size).skip(step + 1) {
+                    *entry -= times * above;
                 }
                 let above = right[step];
                 right[row] -= times * above;
