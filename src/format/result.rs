@@ -198,7 +198,7 @@ pub struct GroupResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at_most: Option<u64>,
     /// Whether it has assemblies besides in which it may move at fixed drives; these are no modes. Left out where none was found.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub may_move: bool,
 }
 

@@ -906,6 +906,10 @@ class GroupResult(_GroupResultKeys):
     """Number of this assembly mode; none in a drawn configuration. Where a link's angle is given in place of a drive's, it is that of the whole mechanism."""
     modes: NotRequired[Union[int, None]]
     """How many assembly modes there are; of a group of higher class, how many were found. None where there are too many to count."""
+    at_most: NotRequired[Union[int, None]]
+    """How many assembly modes it can have at most, as far as that is known: of links joined by pins alone as many as there are complex ones."""
+    may_move: NotRequired[bool]
+    """Whether it has assemblies besides in which it may move at fixed drives; these are no modes. Left out where none was found."""
 
 
 #: The value of a quantity: a number, or a vector.
