@@ -369,6 +369,10 @@ impl Search<'_> {
                     follows.push(datum.entry);
                 }
             }
+            // The first values are those to which amounts were fitted, however little they seem to hang on them there.
+            let fitted = candidate.free.len().saturating_sub(written.len()).min(follows.len());
+            written.extend(follows.drain(..fitted));
+            written.sort_unstable();
             Finding { follows, contradicts, written, candidate, lesson: Lesson::default() }
         };
         let mut findings: Vec<Finding> = tried.set.iter().map(finding).collect();
