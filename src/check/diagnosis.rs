@@ -2,7 +2,7 @@
 //! student's own values refute.
 
 use super::checked::{Diagnosis, Explanation, Finding, Judged, Verdict};
-use super::covariance::Hand;
+use super::covariance::{Datum, Hand};
 use super::entry::Entry;
 use super::fit::Fit;
 use super::lesson::{Lesson, lesson, of_value};
@@ -57,7 +57,7 @@ const FOLLOWING: usize = 2;
 const RARELY: f64 = 300.0;
 
 /// The logarithm of how many times less likely each value that is right makes it that the others are invented.
-const TRUSTED: f64 = 1.5;
+const TRUSTED: f64 = 3.0;
 
 /// Explanations that are told in the same words.
 struct Group<'t> {
@@ -81,6 +81,7 @@ impl Group<'_> {
             let own = &finding.candidate;
             own.told == candidate.told
                 || is_repeated(own, candidate)
+                || own.told.is_near(&candidate.told)
                 || own.told.wider().as_ref() == Some(&candidate.told)
         })
     }
@@ -133,6 +134,7 @@ impl Search<'_> {
             told.truncate(1);
             told = told.iter().filter_map(|finding| only_placed(finding, values)).collect();
         }
+        told.retain(|finding| finding.names_cause() || self.has_evidence(first.best, finding, values));
         let open =
             |told: &[Finding]| off.iter().copied().filter(|&entry| !explained(told, entry)).collect::<Vec<usize>>();
         let mut unexplained = open(&told);
@@ -176,7 +178,6 @@ impl Search<'_> {
             (true, Some(_)) => certain,
             (false, _) => certain * probability(&told),
         };
-        told.retain(|finding| finding.names_cause() || finding.follows.len() >= FOLLOWING);
         self.teach(&mut told);
         told.splice(0..0, begins);
         Diagnosis {
@@ -270,11 +271,26 @@ impl Search<'_> {
     /// with one of all mistakes at one of all places.
     fn has_evidence(&self, tried: &Tried, finding: &Finding, values: &[Judged]) -> bool {
         let follows = finding.follows.len();
+        // Of two sheets of one mechanism the other one has another angle, too.
+        let is_whole = finding.candidate.mistake() == Mistake::CrankAngle;
+        if is_whole && self.is_of_another_sheet(finding, values) {
+            return false;
+        }
         match (finding.names_cause(), finding.candidate.free.is_empty()) {
             (true, true) => follows == 0 || self.agreement(tried, finding, values) >= self.by_chance(values),
             (true, false) => follows > 0,
-            (false, _) => follows >= FOLLOWING,
+            (false, _) => follows >= FOLLOWING && !self.is_of_another_sheet(finding, values),
         }
+    }
+
+    /// Whether a value that the numbers of the scene are enough for is another one, and not because of this mistake: then all may be those of
+    /// another sheet.
+    fn is_of_another_sheet(&self, finding: &Finding, values: &[Judged]) -> bool {
+        let mut given = self.scorer.given.iter().enumerate().filter(|(_, given)| **given);
+        given.any(|(entry, _)| {
+            let is_explained = finding.follows.contains(&entry) || finding.written.contains(&entry);
+            values[entry].verdict == Verdict::Off && !is_explained
+        })
     }
 
     /// How precisely the values that a mistake has put off agree with it: the logarithm of one over the probability that invented ones would.
@@ -285,8 +301,9 @@ impl Search<'_> {
             let entry = datum.entry;
             changed.contains(&entry) && values[entry].verdict == Verdict::Off && !self.is_outside(&tried.fit, entry)
         });
-        // Twice the standard deviation to both sides.
-        data.map(|(place, datum)| libm::log(datum.span / (4.0 * tried.fit.given[place].sqrt())).max(0.0)).sum()
+        // Twice the standard deviation to both sides; whoever invents a value far too large could have invented any as large.
+        let range = |datum: &Datum| datum.span.max(datum.value.abs());
+        data.map(|(place, datum)| libm::log(range(datum) / (4.0 * tried.fit.given[place].sqrt())).max(0.0)).sum()
     }
 
     /// The agreement that is to be expected by chance: less, the more values are right, as they are not invented then.
@@ -443,9 +460,13 @@ fn wider(finding: &Finding) -> Option<Finding> {
 
 /// A mistake told by its place and what follows from it, without a cause.
 fn only_placed(finding: &Finding, values: &[Judged]) -> Option<Finding> {
-    let first = finding.first()?;
-    let told = tell::unknown(Blank::Quantity(values[first].entry.asked.name().to_owned()));
-    let mut placed = Finding { candidate: Candidate { told, ..finding.candidate.clone() }, ..finding.clone() };
+    let off = finding.changed().into_iter().find(|&value| values[value].verdict == Verdict::Off);
+    let first = off.or(finding.first())?;
+    let Entry { asked, step, .. } = &values[first].entry;
+    let told = tell::unknown(Blank::Quantity(asked.name().to_owned()));
+    // A mistake in the whole drawing begins where it shows.
+    let step = if finding.candidate.step == 0 { *step } else { finding.candidate.step };
+    let mut placed = Finding { candidate: Candidate { told, step, ..finding.candidate.clone() }, ..finding.clone() };
     // Nothing follows from itself.
     if placed.follows.contains(&first) {
         placed.follows.retain(|&value| value != first);

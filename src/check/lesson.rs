@@ -6,7 +6,7 @@ use super::mistakes::{Amount, Candidate, Mistake};
 use super::model::{Model, in_order};
 use crate::construction::{Change, Disturbance, LineId, NumberId, OperationKind, PlaceId, Product, Values};
 use crate::geometry::{Vector, degrees_of, with_turns};
-use crate::sheet::QuantityKind;
+use crate::sheet::{QuantityKind, Sheet};
 use std::collections::BTreeSet;
 
 /// What a mistake teaches.
@@ -91,10 +91,17 @@ fn worked(model: &Model, entries: &[Entry], operation: usize) -> Option<Worked> 
         let reads = |index: &usize| model.readings[*index].is_ok_and(|reading| reading.number == number);
         (0..entries.len()).find(reads).map(|index| entries[index].value)
     };
-    let value = |number: NumberId| own(number).unwrap_or(model.exact.number(number)).abs();
-    let factors = |product: &Product| Factors {
-        constant: product.factor.abs(),
-        of: product.of.iter().map(|&number| (model.number_names[number.0].clone(), value(number))).collect(),
+    // Lengths and given rates are those of the scene; what the student has not written is not told.
+    let is_of_scene = |number: NumberId| {
+        let maker = model.makers[number.0].map(|maker| &operations[maker]);
+        maker.is_none_or(|maker| maker.sheet == Sheet::Scheme || matches!(maker.kind, OperationKind::Take { .. }))
+    };
+    let value = |number: NumberId| {
+        own(number).or_else(|| is_of_scene(number).then(|| model.exact.number(number))).map(f64::abs)
+    };
+    let factors = |product: &Product| {
+        let of = product.of.iter().map(|&number| Some((model.number_names[number.0].clone(), value(number)?)));
+        Some(Factors { constant: product.factor.abs(), of: of.collect::<Option<Vec<_>>>()? })
     };
     let maker = match operations[operation].kind {
         OperationKind::LayOff { size, .. } => model.makers[size.0]?,
@@ -103,7 +110,7 @@ fn worked(model: &Model, entries: &[Entry], operation: usize) -> Option<Worked> 
     match &operations[maker].kind {
         // Of several terms the signs are those of directions, which no number shows.
         OperationKind::Compute { number, sum } if sum.len() == 1 => {
-            let sum: Vec<Factors> = sum.iter().map(factors).collect();
+            let sum: Vec<Factors> = sum.iter().map(factors).collect::<Option<_>>()?;
             let laid = operations.iter().find_map(|laid| match laid.kind {
                 OperationKind::LayOff { place, from, size, .. } if size == *number => Some([from, place]),
                 _ => None,
@@ -128,7 +135,7 @@ fn worked(model: &Model, entries: &[Entry], operation: usize) -> Option<Worked> 
                 entry.is_some_and(|i| (entries[i].value - entries[i].expected).abs() > 0.01 * entries[i].expected.abs())
             };
             let (rate, left, right) = alone.into_iter().find(|(number, ..)| is_off(*number))?;
-            let (sum, over) = (vec![factors(right)], factors(left));
+            let (sum, over) = (vec![factors(right)?], factors(left)?);
             let result = total(&sum) / total(core::slice::from_ref(&over));
             let entry = (0..entries.len()).find(|&i| model.readings[i].is_ok_and(|r| r.number == rate))?;
             let name = Some(model.number_names[rate.0].clone());

@@ -1,10 +1,10 @@
-//! Values that students compute from the rates of rotation of their own sheet, as |a_B| from α and ω, where a drawing gives them by
-//! measuring. They follow from these rates, whatever was drawn.
+//! Values that follow from few numbers. Those that students compute from the rates of rotation of their own sheet, as |a_B| from α and ω, where a drawing gives them by
+//! measuring: they follow from these rates, whatever was drawn. And those that the numbers of the scene are enough for.
 
 use super::entry::Entry;
 use super::model::Model;
 use crate::construction::{Rate, Solution, image_name};
-use crate::mechanism::{BodyId, GROUND, PointId};
+use crate::mechanism::{BodyId, GROUND, PointId, Role};
 use crate::quantity::What;
 use crate::sheet::Order;
 
@@ -31,6 +31,17 @@ pub(super) fn from_own_rates(model: &Model, entries: &[Entry], solution: &Soluti
         ((entry.value.abs() - own).abs() <= within).then_some(within)
     };
     entries.iter().enumerate().map(is_own).collect()
+}
+
+/// By entry: whether the numbers that the scene gives are enough for it, as for a velocity of the driven link, so that whoever has the right
+/// sheet has it.
+pub(super) fn from_given_numbers(entries: &[Entry], solution: &Solution) -> Vec<bool> {
+    let is_driven = |body: BodyId| matches!(solution.mechanism.body(body).role, Role::Driver { .. });
+    let is_given = |entry: &Entry| match &entry.asked.what {
+        What::Segment(order, ends) => on_one_link(solution, *order, ends).is_some_and(|(body, _)| is_driven(body)),
+        _ => false,
+    };
+    entries.iter().map(is_given).collect()
 }
 
 /// The link to which the two points belong whose images these are, and their distance; the pole is the image of what is fixed.

@@ -10,7 +10,6 @@ use super::mistakes::{Candidate, Site};
 use super::model::{COMPUTING, Model};
 use super::names::Names;
 use super::on_paper::PaperPoints;
-use super::own_rates::from_own_rates;
 use super::placed::turned;
 use super::score::Scorer;
 use super::search::{Search, hand, other_modes};
@@ -183,8 +182,7 @@ impl<'a> Prepared<'a> {
                 &cut
             }
         };
-        let own = from_own_rates(&models[0], &entries[..all], key.solution);
-        let scorer = Scorer::new(models, &entries[..all], key.tolerance, &own, groups);
+        let scorer = Scorer::new(models, &entries[..all], key, groups);
         let none = scorer.compare(&[], None).filter(|_| !scorer.data.is_empty());
         let mut hand_found = none.as_ref().map(|fit| fit.hand);
         let mut diagnosis = Diagnosis::none(&values);
@@ -232,8 +230,7 @@ impl<'a> Prepared<'a> {
     fn causes(&self, models: &[Model], values: &[Judged]) -> Vec<Candidate> {
         let (key, groups) = (&self.key, OnceLock::new());
         let entries: Vec<Entry> = values.iter().map(|value| value.entry.clone()).collect();
-        let own = from_own_rates(&models[0], &entries, key.solution);
-        let scorer = Scorer::new(models, &entries, key.tolerance, &own, &groups);
+        let scorer = Scorer::new(models, &entries, key, &groups);
         let Some(none) = scorer.compare(&[], None) else { return Vec::new() };
         let mut search = Search::new(candidates(models, key, &entries, values), &scorer);
         let tried = search.run(none, &off(&scorer, values), key.depth);

@@ -9,8 +9,10 @@
 
 use super::covariance::{Covariances, Datum, Groups, Hand, read};
 use super::entry::Entry;
+use super::measured::AnswerKey;
 use super::mistakes::{Candidate, Free};
 use super::model::{Changes, LEANING, Model, TOGETHER, in_order};
+use super::own_rates::{from_given_numbers, from_own_rates};
 use crate::construction::{Change, Tolerance};
 use crate::sheet::QuantityKind;
 use std::borrow::Cow;
@@ -27,16 +29,17 @@ pub(super) struct Scorer<'a> {
     /// The covariances of a right drawing.
     nominal: Covariances,
     pub entries: &'a [Entry],
+    /// By entry: whether the numbers that the scene gives are enough for it.
+    pub given: Vec<bool>,
 }
 
 impl<'a> Scorer<'a> {
-    /// `own`: by entry, how exactly it agrees with other values, where it is computed from them. `groups`: the covariances of a right drawing that the errors of hands cause, from an earlier form of the same
+    /// `groups`: the covariances of a right drawing that the errors of hands cause, from an earlier form of the same
     /// models; they are put there if there are none yet.
     pub fn new(
         models: &'a [Model],
         entries: &'a [Entry],
-        tolerance: Tolerance,
-        own: &[Option<f64>],
+        key: &AnswerKey<'_>,
         groups: &OnceLock<Groups>,
     ) -> Scorer<'a> {
         let model = &models[0];
@@ -69,10 +72,12 @@ impl<'a> Scorer<'a> {
         let data: Vec<Datum> = data.collect();
         let count = data.len();
         let all = [(Changes::new(), (0..count).collect())];
+        let (own, given) = (from_own_rates(model, entries, key.solution), from_given_numbers(entries, key.solution));
+        let tolerance = key.tolerance;
         let nominal = Covariances::new(model, &tolerance, &data, &all, &[], groups.get());
         groups.get_or_init(|| nominal.groups.clone());
         let without = data.iter().map(|datum| Without::of(datum, own[datum.entry])).collect();
-        Scorer { models, without, tolerance, nominal, entries, data }
+        Scorer { models, without, tolerance, nominal, entries, data, given }
     }
 
     pub fn model(&self, set: &[&Candidate]) -> &'a Model {

@@ -10,7 +10,7 @@ use super::table::{self, TableFormat};
 use crate::Problem;
 use crate::cycle::{Curves, Drive, Hodographs, Path as Branch, PointPaths, Steps, Sweep, alone};
 use crate::drawing::{curves, hodographs, paths};
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Body, Mechanism, Role};
 use crate::position::Pose;
 use crate::scene::{Scene, SizeLimit};
 use crate::words::{Medium, Wording};
@@ -100,6 +100,10 @@ impl Range {
         let language = Wording::of(&scene.figure).language;
         mechanism.warnings.iter().chain(&pose.warnings).for_each(|warning| warn(&language.says(warning)));
         let drive = source.checked(Drive::new(&mechanism, self.drive.as_deref()))?;
+        let speeds_up = |body: &Body| matches!(body.role, Role::Driver { alpha, .. } if alpha != 0.0);
+        if mechanism.bodies.iter().any(speeds_up) {
+            note(language.rates_of_every_position());
+        }
         let mechanism = if self.alone { alone(&mechanism, &drive.name) } else { mechanism };
         let names = split_names(&self.want);
         let names = if names.is_empty() { scene.want.clone() } else { Some(names) };

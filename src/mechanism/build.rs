@@ -6,9 +6,9 @@ use super::says;
 use super::shape::{Side, local_points};
 use super::structure::{Edge, Structure, structure};
 use super::{Body, BodyId, GROUND, Guide, LoopEquations, Mechanism, Placing, PointId, Role, Slider, StructureError};
-use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
+use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, degrees_of, span, without_sense};
 use crate::message::Message;
-use crate::scene::{Along, GivenBy, Link, Scene, Shape, by_name};
+use crate::scene::{Along, GivenBy, Link, On, Scene, Shape, by_name};
 use indexmap::{IndexMap, IndexSet};
 use std::cell::LazyCell;
 use std::f64::consts::{PI, TAU};
@@ -40,6 +40,7 @@ pub fn mechanism_with(
     let mut mechanism = bodies(scene, mirrored)?;
     mechanism.warnings.extend(radians_warnings(scene));
     mechanism.warnings.extend(far_origin_warning(scene));
+    mechanism.warnings.extend(guides_from_drawings(scene));
     add(&mut mechanism);
     mechanism.warnings.extend(unlike_wheels(&mechanism));
     mechanism.warnings.extend(held_here_alone(&mechanism));
@@ -484,6 +485,41 @@ fn radians_warnings(scene: &Scene) -> Vec<Message> {
     let all = links.chain(sliders).chain(near);
     let warning = |(what, angle): (Message, f64)| Some(says::radians(what, angle, degrees_meant(angle)?));
     all.filter_map(warning).collect()
+}
+
+/// Least angle in degrees between a guide and what looks like lying along it in the same drawing.
+const BENT: f64 = 0.5;
+
+/// Warnings of sliding links and carriers whose shapes are places of one drawing: there the slider's points lie along the guide, but without
+/// `turned` the x axis of its shape does.
+fn guides_from_drawings(scene: &Scene) -> Vec<Message> {
+    let shape = |link: &str| match &scene.links.get(link)?.shape {
+        Shape::Local(places) => Some(places),
+        _ => None,
+    };
+    let warning = |slider: &crate::scene::Slider| {
+        let link = slider.link.as_deref().filter(|_| slider.turned_deg == 0.0)?;
+        let On::Link(carrier) = &slider.on else { return None };
+        let (own, carrier) = (shape(link)?, shape(carrier)?);
+        let guide = match &slider.along {
+            Along::Points(from, to) => degrees_between(*carrier.get(from)?, *carrier.get(to)?),
+            Along::Direction([x, y]) => degrees_of(Vector::new(*x, *y)),
+            Along::Degrees(degrees) => *degrees,
+        };
+        let mut places = own.iter();
+        let ((first, from), (second, to)) = places.next().zip(places.next())?;
+        let axis = without_sense(degrees_between(*from, *to), 0.0);
+        let is_alike = (without_sense(guide, axis) - axis).abs() < BENT;
+        let turned = format!("{}", libm::round(-axis * 1e4) / 1e4);
+        let points = format!("{first}–{second}");
+        (is_alike && axis.abs() > BENT).then(|| says::along_its_x_axis(link, points, turned))
+    };
+    scene.sliders.iter().filter_map(warning).collect()
+}
+
+/// The direction from one place to another, in degrees.
+fn degrees_between(from: [f64; 2], to: [f64; 2]) -> f64 {
+    degrees_of(Vector::from(to) - Vector::from(from))
 }
 
 /// The multiple of 15° that an angle is in radians; `None` where it looks like degrees.

@@ -44,7 +44,8 @@ messages! { "mechanism":
     two_radii(link, teeth, first, second);
     belt_without_room(first, second, radii, distance);
 
-    // Guides with ends.
+    // Guides.
+    along_its_x_axis(link, points, turned);
     off_guide(slider, position, low, high);
 
     // Contacts.

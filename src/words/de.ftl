@@ -289,6 +289,7 @@ event_slides_back = Umkehrlage bei {$place}: Schieber {$slider} hält bei {$posi
 event_leaves = Ende des Weges bei {$place}: Schieber {$slider} verlässt seine Führung bei {$position}
 engaged = Der Schlitz ist bei {$drive} von {$from} bis {$to} im Eingriff, {$held} einer Umdrehung; während der anderen {$free} rastet er.
 events_left_out = {$count} weitere Umkehr- oder Verzweigungslagen folgen
+rates_of_every_position = jede Lage hat ω und α, wie die Szene sie dem Antrieb gibt: dies ist kein Anlauf, in dem sich ω ändert
 
 # The structure: Assur groups in solving order.
 
@@ -1239,6 +1240,7 @@ mechanism-train_without_ratio = aus den Zähnezahlen folgen die Winkel der Glied
 mechanism-other_teeth = geben Sie andere Zähnezahlen an, so dass die Standübersetzung nicht 1 ist, oder treiben Sie den Steg an
 mechanism-two_radii = Rad {$link} mit {$teeth} Zähnen hätte zwei Wälzkreisradien, {$first} und {$second}: prüfen Sie Zähnezahlen und Achsabstände
 mechanism-belt_without_room = die Räder {$first} und {$second} mit den Radien {$radii} haben den Abstand {$distance}: so kann kein Riemen um sie laufen; prüfen Sie Radius und Abstand
+mechanism-along_its_x_axis = Schieber {$link}: längs der Führung liegt die x-Achse seiner Form, nicht seine Punkte {$points}, die in den Formen die Richtung der Führung haben: sind beide Formen Orte einer Zeichnung, so gehört "turned": {$turned} dazu
 mechanism-off_guide = Schieber {$slider} ist nicht auf seiner Führung: er steht bei {$position}, und sie geht von {$low} bis {$high}; was daraus folgt, gilt hier nicht
 mechanism-holds_here_alone = die Berührung von {$first} und {$second} ist nur in dieser Stellung bekannt: ihr Ersatzgetriebe gibt hier Geschwindigkeiten, Beschleunigungen und Kräfte, und anderswo nichts
 

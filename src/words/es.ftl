@@ -287,6 +287,7 @@ event_slides_back = posición extrema en {$place}: la corredera {$slider} se det
 event_leaves = fin del recorrido en {$place}: la corredera {$slider} deja su guía en {$position}
 engaged = La ranura está en contacto con {$drive} de {$from} a {$to}, {$held} de una vuelta; durante los otros {$free} reposa.
 events_left_out = siguen {$count} posiciones extremas o puntos de cambio más
+rates_of_every_position = cada posición tiene la ω y la α que la escena da al accionamiento: no es un arranque, en el que ω cambiaría
 
 # The structure: Assur groups in solving order.
 
@@ -1237,6 +1238,7 @@ mechanism-train_without_ratio = los dientes no dan los ángulos de los eslabones
 mechanism-other_teeth = dé otros números de dientes, de modo que la relación básica del tren no sea 1, o accione el brazo
 mechanism-two_radii = la rueda {$link} de {$teeth} dientes tendría dos radios primitivos, {$first} y {$second}: revise dientes y distancias entre centros
 mechanism-belt_without_room = las ruedas {$first} y {$second}, con radios {$radii}, están a una distancia de {$distance}: así no puede rodearlas una correa; revise el radio y la distancia
+mechanism-along_its_x_axis = corredera {$link}: a lo largo de la guía va el eje x de su forma, y no sus puntos {$points}, que en las formas tienen la dirección de la guía: si ambas formas son lugares de un mismo dibujo, añadir "turned": {$turned}
 mechanism-off_guide = la corredera {$slider} no está en su guía: está en {$position}, y la guía va de {$low} a {$high}; lo que de ello se sigue no vale aquí
 mechanism-holds_here_alone = el contacto de {$first} y {$second} solo se conoce en esta posición: su mecanismo equivalente da aquí velocidades, aceleraciones y fuerzas, y nada en otra parte
 

@@ -289,6 +289,7 @@ event_slides_back = posição extrema em {$place}: o cursor {$slider} se detém 
 event_leaves = fim do curso em {$place}: o cursor {$slider} deixa sua guia em {$position}
 engaged = A ranhura está engatada com {$drive} de {$from} a {$to}, {$held} de uma volta; durante os outros {$free} ela repousa.
 events_left_out = seguem mais {$count} posições extremas ou pontos de mudança
+rates_of_every_position = cada posição tem o ω e o α que a cena dá ao acionamento: não é uma partida, em que ω mudaria
 
 # The structure: Assur groups in solving order.
 
@@ -1239,6 +1240,7 @@ mechanism-train_without_ratio = os dentes não dão os ângulos dos elos {$links
 mechanism-other_teeth = dê outros números de dentes, de modo que a relação básica do trem não seja 1, ou acione o braço
 mechanism-two_radii = a roda {$link} de {$teeth} dentes teria dois raios primitivos, {$first} e {$second}: confira dentes e distâncias entre centros
 mechanism-belt_without_room = as rodas {$first} e {$second}, com raios {$radii}, estão a uma distância de {$distance}: assim uma correia não pode passar em volta delas; verifique o raio e a distância
+mechanism-along_its_x_axis = corrediça {$link}: ao longo da guia fica o eixo x de sua forma, e não seus pontos {$points}, que nas formas têm a direção da guia: se ambas as formas são lugares de um mesmo desenho, acrescentar "turned": {$turned}
 mechanism-off_guide = o cursor {$slider} não está em sua guia: está em {$position}, e a guia vai de {$low} a {$high}; o que disso segue não vale aqui
 mechanism-holds_here_alone = o contato de {$first} e {$second} é conhecido só nesta posição: seu mecanismo equivalente dá aqui velocidades, acelerações e forças, e nada em outra parte
 

@@ -306,3 +306,30 @@ fn a_cylinder_shows_what_its_drive_adds() {
         assert!(off < 1e-9, "{arrow:?}");
     }
 }
+
+/// At a dead centre a normal acceleration ends in the image of the slider's point: both names stand there. One that vanishes has none.
+#[test]
+fn the_end_of_a_normal_acceleration_is_named_on_an_image_too() {
+    let names = |angle: f64| {
+        let scene = format!(
+            r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": {{ "A": [0, 0] }},
+            "links": {{ "1": {{ "points": ["A", "B"], "lengths": {{ "AB": 30 }}, "drive": {{ "angle": {angle}, "omega": 10 }} }},
+                "2": {{ "points": ["B", "C"], "lengths": {{ "BC": 80 }} }}, "3": {{ "points": ["C"] }} }},
+            "sliders": [{{ "link": "3", "at": "C", "on": "ground", "through": [0, 0], "along": 0 }}], "near": {{ "C": [80, 0] }} }}"#
+        );
+        let svg = drawn(&scene).expect("a sound scene").0.svg();
+        let texts = svg.split("<text").skip(1).filter_map(|text| Some(text.split_once("</text>")?.0.to_owned()));
+        let plain = |text: String| {
+            text.split('<')
+                .filter_map(|part| part.split_once('>'))
+                .map(|(_, words)| words.to_owned())
+                .collect::<String>()
+        };
+        texts.map(|text| plain(format!("<{text}"))).collect::<Vec<String>>()
+    };
+    let is_named = |names: &[String]| names.iter().any(|name| name.replace(' ', "").contains("nbC"));
+    assert!(is_named(&names(0.0)), "{:?}", names(0.0));
+    assert!(is_named(&names(40.0)));
+    // With the crank across the guide the rod does not turn: its normal part is nothing.
+    assert!(!is_named(&names(90.0)));
+}

@@ -270,3 +270,31 @@ fn plans_close_and_show_what_drives_add() {
         }
     }
 }
+
+/// Shapes that are places of one drawing: the x axis of a rod's shape lies along the guide, where its author means the line of its points.
+#[test]
+fn a_cylinder_by_places_of_a_drawing_says_what_lies_along_its_guide() {
+    let scene = |turned: &str| {
+        format!(
+            r#"{{ "kinegon": 1, "units": {{ "length": "m", "time": "s" }}, "ground": {{ "A": [1, 0], "O": [0, 0] }},
+            "links": {{ "1": {{ "shape": {{ "A": [1, 0], "B": [1.2, 1.2] }} }},
+                "2": {{ "shape": {{ "C": [1.1, 0.6], "D": [1.4, 2.4] }}, "drive": {{ "position": 0.6082762530298219, "speed": 0.1 }} }},
+                "3": {{ "shape": {{ "O": [0, 0], "D": [1.4, 2.4] }} }} }},
+            "sliders": [{{ "link": "2", "at": "C", "on": "1", "along": "AB"{turned} }}], "near": {{ "D": [1.4, 2.4] }} }}"#
+        )
+    };
+    let angle = f64::atan2(1.8, 0.3).to_degrees();
+    let turned = format!(", \"turned\": {:.4}", -angle);
+    let said = |solution: &Solution| -> Vec<String> {
+        let language = solution.wording().language;
+        solution.mechanism.warnings.iter().map(|warning| language.says(warning)).collect()
+    };
+    let as_written = solved(&scene("")).expect("a sound scene");
+    assert!(said(&as_written).iter().any(|warning| warning.contains(&turned[2..])), "{:?}", said(&as_written));
+    let turned = solved(&scene(&turned)).expect("a sound scene");
+    assert_eq!(said(&turned), [""; 0]);
+    // v_D along AD is the cylinder's speed: ω₃ (O→D turned by 90°)·AD = 0.1 |AD|.
+    let omega = 0.1 * f64::hypot(0.4, 2.4) / (-2.4 * 0.4 + 1.4 * 2.4);
+    let link = turned.mechanism.link("3").expect("the boom");
+    assert!((turned.motion.bodies[link.0].omega - omega).abs() < 1e-5, "{omega}");
+}

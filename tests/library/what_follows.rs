@@ -1,7 +1,7 @@
 //! What a check says of values that follow: only of those that are recomputed from others and meet what is written.
 
 use kinegon::Solution;
-use kinegon::check::{AnswerKey, Checked, Given, Measured, Mistake, Student, Verdict, check};
+use kinegon::check::{AnswerKey, Checked, Given, Measured, Mistake, Student, Verdict, check, report_parts};
 use kinegon::quantity::QuantityKind;
 use support::files;
 use support::random::Random;
@@ -53,6 +53,11 @@ fn nothing_follows_from_invented_pairs() {
                 .map(|(&place, number)| given(&student.names()[place], format!("{number:+.4}")));
             let checked = check(&form(&key, values.collect()), &key).expect("values that are understood");
             tried += 1;
+            let off = |value: &kinegon::check::Judged| value.verdict == Verdict::Off;
+            let first = checked.values.iter().position(off);
+            let said = checked.diagnosis.best.findings.first();
+            let is_first = said.is_none_or(|said| said.written.first().is_none_or(|told| Some(*told) <= first));
+            assert!(is_first, "{name}, {pair:?}: what is off before is passed over");
             if checked.diagnosis.best.findings.iter().any(|finding| !finding.follows.is_empty()) {
                 let said: Vec<String> =
                     checked.diagnosis.best.findings.iter().map(|f| format!("{:?}", f.candidate.told)).collect();
@@ -176,4 +181,40 @@ fn a_value_computed_from_the_own_rates_makes_no_diagnosis_worse() {
     values.last_mut().expect("it is there").text = format!("{:.4}", 1.3 * length * libm::hypot(alpha, omega * omega));
     let checked = check(&form(&key, values), &key).expect("values that are understood");
     assert!(told(&checked) != [Mistake::NormalForgotten] || checked.diagnosis.unexplained == [computed]);
+}
+
+/// What is worked out before a student has the student's numbers and those of the scene alone: no value of the key that nobody has written.
+#[test]
+fn only_numbers_that_are_there_are_worked_out() {
+    let solution = scene("four-bar");
+    let key = answer_key(&solution, 5);
+    let worked = |values: Vec<Given>| {
+        let checked = check(&form(&key, values), &key).expect("values that are understood");
+        report_parts(&checked, &key).causes.into_iter().flat_map(|cause| cause.worked).collect::<Vec<String>>()
+    };
+    // α₃ = n_dC c / L_DC, and the segment is not written.
+    assert_eq!(worked(vec![given("alpha(3)", "+118".to_owned())]), [""; 0]);
+    let both = vec![given("aplan(n_dC,c)", "5647".to_owned()), given("alpha(3)", "+118".to_owned())];
+    assert!(worked(both).iter().any(|told| told.contains("5647")));
+}
+
+/// The values of another exercise of the same kind: another angle and another speed of the crank. Whatever explains most of them, what the
+/// numbers of the sheet give at once is another value.
+#[test]
+fn values_of_another_sheet_earn_nothing_by_following() {
+    for name in ["four-bar", "slotted-lever", "slider-crank"] {
+        let text = files::read(&format!("templates/{name}.json"));
+        let solution = solved(&text).expect("a starting scene is sound");
+        let key = answer_key(&solution, 5);
+        let mut other: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        let drive = &mut other["links"]["1"]["drive"];
+        let [angle, omega] = ["angle", "omega"].map(|of| drive[of].as_f64().expect("a number"));
+        (drive["angle"], drive["omega"]) = ((angle + 24.0).into(), (1.3 * omega).into());
+        let other = solved(&other.to_string()).expect("it can be assembled");
+        let other = answer_key(&other, 5);
+        let copied = Student::new(&other).expect("it can be drawn").draw(&[], [0.0; 2], &mut || 0.0, &[]);
+        let checked = check(&copied, &key).expect("values that are understood");
+        let follows: usize = checked.diagnosis.best.findings.iter().map(|finding| finding.follows.len()).sum();
+        assert_eq!(follows, 0, "{name}: {:?}", told(&checked));
+    }
 }

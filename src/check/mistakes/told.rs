@@ -1,9 +1,13 @@
 //! The mistakes, and what is told of them: which sentences, and what stands in their blanks.
 
 use super::catalogue::catalogue;
+use crate::geometry::with_turns;
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{QuantityKind, Sheet};
 use crate::words::{Language, Wording};
+
+/// Degrees up to which two angles of a crank are told as one.
+const NEAR: f64 = 5.0;
 
 /// What a row of the catalogue says of a mistake.
 struct Row {
@@ -214,6 +218,17 @@ impl Told {
         let alike =
             |(one, two): (&(&str, Blank), &(&str, Blank))| one == two || (is_number(&one.1) && is_number(&two.1));
         self.key == other.key && self.blanks.iter().zip(&other.blanks).all(alike)
+    }
+
+    /// Whether it is the same mistake by nearly the same angle: of a drawing by hand several whole degrees are as good.
+    pub(in crate::check) fn is_near(&self, other: &Told) -> bool {
+        let wrong = |told: &Told| {
+            let number = told.blanks.iter().find(|(name, _)| *name == "wrong")?;
+            number.1.text().parse::<f64>().ok()
+        };
+        let is_angle = self.mistake == Mistake::CrankAngle && other.mistake == self.mistake;
+        let apart = wrong(self).zip(wrong(other)).filter(|_| is_angle);
+        apart.is_some_and(|(one, other)| with_turns(one - other, 0.0).abs() <= NEAR)
     }
 
     /// Whether it is a mistake in all values of a kind.

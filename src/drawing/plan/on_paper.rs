@@ -341,11 +341,12 @@ impl<'a> PlanOnPaper<'a> {
         // The image of a ground point under a slider coincides with the pole: it is left out.
         let at_pole = |name: &str| name.ends_with("_ground") && plan.points[name].vector.norm() == 0.0;
         let names = plan.points.keys().map(String::as_str);
-        // The end of a vanishing normal acceleration coincides with another point.
+        // A normal acceleration that vanishes ends where it starts. Another one may end in a point, too, as in a dead centre: it is named there.
         let is_vanished = |name: &str| {
             let end = &plan.points[name];
-            let mut others = plan.points.values().filter(|other| other.role != PointRole::Normal);
-            end.role == PointRole::Normal && others.any(|other| other.vector == end.vector)
+            let mut laid = self.context.construction().arrows(plan.order);
+            let start = laid.find(|laid| laid.to == name).and_then(|laid| plan.points.get(&laid.from));
+            end.role == PointRole::Normal && start.is_some_and(|start| start.vector == end.vector)
         };
         let shown = names.filter(|name| !self.is_hidden(name) && !at_pole(name) && !is_vanished(name));
         let places = shown.map(|name| (self.view.at(plan.points[name].vector.into()), name));

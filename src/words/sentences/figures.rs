@@ -116,6 +116,7 @@ sentences! {
     /// The part of a turn in which a pin is in a slot, and that in which the slotted link rests.
     engaged(drive, from, to, held, free);
     events_left_out(count);
+    rates_of_every_position;
 
     // The structure: Assur groups in solving order.
     structure_freedoms(count);
