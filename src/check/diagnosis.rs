@@ -44,8 +44,8 @@ const WORST: f64 = 3.4;
 /// Values that slips may leave open, beside what is explained.
 const FEW: usize = 5;
 
-/// A value follows from a mistake where the values before it tell what it should be: to so many deviations of an honest hand, or to this
-/// part of what the mistake moves it by.
+/// A value follows from a mistake if the earlier values predict it: within this many standard deviations of an honest hand, or within one
+/// part in so many of the change that the mistake makes.
 const KNOWN: f64 = 3.0;
 const RECOMPUTED: f64 = 20.0;
 
@@ -53,7 +53,7 @@ const RECOMPUTED: f64 = 20.0;
 /// construction an amount can be found with which one more number agrees by chance.
 const FOLLOWING: usize = 2;
 
-/// One of so many who invent all numbers may be told that they agree with a mistake.
+/// At most one student in this many who invents all numbers is told that they agree with a mistake.
 const RARELY: f64 = 300.0;
 
 /// The logarithm of how many times less likely each value that is right makes it that the others are invented.
@@ -267,11 +267,11 @@ impl Search<'_> {
         }
     }
 
-    /// Whether more values agree with a mistake than it has amounts that were fitted to them, and than somebody who invents numbers would hit
-    /// with one of all mistakes at one of all places.
+    /// Whether the values support a mistake: more of them agree with it than amounts were fitted, and better than invented numbers would agree
+    /// with some mistake of the catalogue by chance.
     fn has_evidence(&self, tried: &Tried, finding: &Finding, values: &[Judged]) -> bool {
         let follows = finding.follows.len();
-        // Of two sheets of one mechanism the other one has another angle, too.
+        // The sheets of two exercises differ in the crank's angle, too.
         let is_whole = finding.candidate.mistake() == Mistake::CrankAngle;
         if is_whole && self.is_of_another_sheet(finding, values) {
             return false;
@@ -283,8 +283,8 @@ impl Search<'_> {
         }
     }
 
-    /// Whether a value that the numbers of the scene are enough for is another one, and not because of this mistake: then all may be those of
-    /// another sheet.
+    /// Whether a value that follows from the scene's numbers alone is wrong, and this mistake does not explain it: the student may have
+    /// copied another sheet.
     fn is_of_another_sheet(&self, finding: &Finding, values: &[Judged]) -> bool {
         let mut given = self.scorer.given.iter().enumerate().filter(|(_, given)| **given);
         given.any(|(entry, _)| {
@@ -293,7 +293,7 @@ impl Search<'_> {
         })
     }
 
-    /// How precisely the values that a mistake has put off agree with it: the logarithm of one over the probability that invented ones would.
+    /// How well the wrong values agree with a mistake: −ln of the probability that invented values would agree as well.
     fn agreement(&self, tried: &Tried, finding: &Finding, values: &[Judged]) -> f64 {
         let changed = finding.changed();
         let data = self.scorer.data.iter().enumerate();
@@ -301,12 +301,12 @@ impl Search<'_> {
             let entry = datum.entry;
             changed.contains(&entry) && values[entry].verdict == Verdict::Off && !self.is_outside(&tried.fit, entry)
         });
-        // Twice the standard deviation to both sides; whoever invents a value far too large could have invented any as large.
+        // The band is two standard deviations to each side. An invented value may be as large as the largest that was written.
         let range = |datum: &Datum| datum.span.max(datum.value.abs());
         data.map(|(place, datum)| libm::log(range(datum) / (4.0 * tried.fit.given[place].sqrt())).max(0.0)).sum()
     }
 
-    /// The agreement that is to be expected by chance: less, the more values are right, as they are not invented then.
+    /// The agreement that chance would give. It falls with the number of right values, because a sheet with many is not invented.
     fn by_chance(&self, values: &[Judged]) -> f64 {
         let is_right = |value: &&Judged| matches!(value.verdict, Verdict::Right | Verdict::WithinTolerance);
         let right = values.iter().filter(is_right).count();
@@ -369,7 +369,7 @@ impl Search<'_> {
                 let is_reinterpreted = candidate.reinterpreted.iter().any(|r| r.entry == datum.entry);
                 // What an amount was fitted to follows from nothing.
                 let is_fitted = tried.fit.given[place].sqrt() > (KNOWN * deviation).max(moved.abs() / RECOMPUTED);
-                // Of what one mistake has made of all values of a kind the first is its place.
+                // A mistake in all values of a kind is charged to the first of them; the others follow.
                 let is_like_first = candidate.told.is_of_a_kind() && !written.is_empty();
                 if is_reinterpreted && is_like_first && !tried.fit.outside[place] {
                     follows.push(datum.entry);
@@ -386,7 +386,7 @@ impl Search<'_> {
                     follows.push(datum.entry);
                 }
             }
-            // The first values are those to which amounts were fitted, however little they seem to hang on them there.
+            // Amounts are fitted to the first values, so these are no evidence, even where they hardly depend on the amounts.
             let fitted = candidate.free.len().saturating_sub(written.len()).min(follows.len());
             written.extend(follows.drain(..fitted));
             written.sort_unstable();

@@ -33,8 +33,8 @@ pub(super) fn from_own_rates(model: &Model, entries: &[Entry], solution: &Soluti
     entries.iter().enumerate().map(is_own).collect()
 }
 
-/// By entry: whether the numbers that the scene gives are enough for it, as for a velocity of the driven link, so that whoever has the right
-/// sheet has it.
+/// By entry: whether the numbers that the scene gives are enough for it, as for a velocity of the driven link, so that a student with
+/// the right sheet has it.
 pub(super) fn from_given_numbers(entries: &[Entry], solution: &Solution) -> Vec<bool> {
     let is_driven = |body: BodyId| matches!(solution.mechanism.body(body).role, Role::Driver { .. });
     let is_given = |entry: &Entry| match &entry.asked.what {

@@ -307,7 +307,7 @@ event_slides_back = extreme position at {$place}: slider {$slider} stops at {$po
 event_leaves = end of travel at {$place}: slider {$slider} leaves its guide at {$position}
 engaged = The slot is engaged at {$drive} from {$from} to {$to}, {$held} of a turn; for the other {$free} it dwells.
 events_left_out = {$count} more extreme or change points follow
-rates_of_every_position = every position has the ω and α that the scene gives the drive: this is no run-up, in which ω would change
+rates_of_every_position = each position is computed with the ω and α that the scene gives the drive; this is not a run-up, in which ω would change
 
 # The structure: Assur groups in solving order.
 
@@ -606,7 +606,7 @@ revolutions_for_radians-done = {$rate} was not converted between revolutions per
 revolutions_for_radians-should = rad/s = rpm · π/30
 rate_in_other_unit-done = {$rate}: {$number} {$given} was given; it was taken as {$number} {$taken}
 rate_in_other_unit-should = go on with {$number} {$given}
-all_in_other_unit-done = {$values}, such as {$first}, stand there in {$unit}, and no unit says so
+all_in_other_unit-done = {$values}, such as {$first}, are in {$unit}, but no unit is written beside them
 all_in_other_unit-should = write {$unit} beside them, or the values in {$own}
 value_for_paper-done = {$quantity}: {$number} is the value in {$unit}; the box asks for millimetres of paper
 value_for_paper-should = {$number} : {$scale} = {$mm} mm on paper
@@ -1269,7 +1269,7 @@ mechanism-train_without_ratio = the teeth do not tell the angles of links {$link
 mechanism-other_teeth = give other numbers of teeth, so that the basic ratio of the train is not 1, or drive the arm
 mechanism-two_radii = wheel {$link} with {$teeth} teeth would have two pitch radii, {$first} and {$second}: check teeth and centre distances
 mechanism-belt_without_room = wheels {$first} and {$second}, with radii {$radii}, are {$distance} apart: a belt cannot run around them like that; check radius and distance
-mechanism-along_its_x_axis = slider {$link}: the x axis of its shape lies along the guide, and not its points {$points}, which have the direction of the guide in the shapes: if both shapes are places of one drawing, add "turned": {$turned}
+mechanism-along_its_x_axis = link {$link}: the x axis of its shape lies along the guide, not the line {$points}, which is parallel to the guide in the coordinates of the shapes. If both shapes are taken from one drawing, add "turned": {$turned}
 mechanism-off_guide = slider {$slider} is not on its guide: it stands at {$position}, and the guide goes from {$low} to {$high}; what follows from it does not hold here
 mechanism-holds_here_alone = the contact of {$first} and {$second} is known in this position alone: its equivalent linkage gives velocities, accelerations and forces here, and nothing elsewhere
 

@@ -140,8 +140,8 @@ fn the_cause_of_a_wrong_direction_is_told_and_teaches() {
         checked(Drawn { is_outward: true, turned, ..Drawn::default() }, |found, key| {
             assert_eq!(mistakes(found), [Mistake::NormalOutward], "{}", report(found, key));
             let [cause] = report_parts(found, key).causes.try_into().expect("one cause");
-            // ω_2 = 2.4243 and 2.4243² · 140 = 822.84 by the closed forms above.
-            assert!(cause.worked[0].contains("2.424² · 140 = 822.8 mm/s²"), "{:?}", cause.worked);
+            // The form has no ω_2, and that of the key is not told.
+            assert!(cause.worked.is_empty(), "{:?}", cause.worked);
             let redo = cause.redo.expect("steps");
             // The ray through n_dC and all velocities stay.
             assert!(redo.contains("11–12, 15–18"), "{redo}");

@@ -283,7 +283,7 @@ fn a_cylinder_by_places_of_a_drawing_says_what_lies_along_its_guide() {
             "sliders": [{{ "link": "2", "at": "C", "on": "1", "along": "AB"{turned} }}], "near": {{ "D": [1.4, 2.4] }} }}"#
         )
     };
-    let angle = f64::atan2(1.8, 0.3).to_degrees();
+    let angle = libm::atan2(1.8, 0.3).to_degrees();
     let turned = format!(", \"turned\": {:.4}", -angle);
     let said = |solution: &Solution| -> Vec<String> {
         let language = solution.wording().language;
@@ -294,7 +294,7 @@ fn a_cylinder_by_places_of_a_drawing_says_what_lies_along_its_guide() {
     let turned = solved(&scene(&turned)).expect("a sound scene");
     assert_eq!(said(&turned), [""; 0]);
     // v_D along AD is the cylinder's speed: ω₃ (O→D turned by 90°)·AD = 0.1 |AD|.
-    let omega = 0.1 * f64::hypot(0.4, 2.4) / (-2.4 * 0.4 + 1.4 * 2.4);
+    let omega = 0.1 * libm::hypot(0.4, 2.4) / (-2.4 * 0.4 + 1.4 * 2.4);
     let link = turned.mechanism.link("3").expect("the boom");
     assert!((turned.motion.bodies[link.0].omega - omega).abs() < 1e-5, "{omega}");
 }

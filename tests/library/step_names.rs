@@ -1,7 +1,7 @@
 //! After each step of the construction the names on the sheet are those that the steps so far have made, no other ones: held against the
 //! steps themselves, in both plans and on the scheme.
 
-use kinegon::construction::{Action, Plan, PointRole};
+use kinegon::construction::{Action, Construction, Plan, PointRole};
 use kinegon::drawing::{Drawing, Pen, Rect, Shape};
 use kinegon::text::Untrusted;
 use kinegon::{Scene, Solution};
@@ -57,12 +57,13 @@ fn made(action: &Action, pole: &str) -> Vec<String> {
 
 /// Whether a point of a plan has no name of its own: one of the ground under a slider, which is the pole, or the end of
 /// a normal part of length zero.
-fn is_unnamed(plan: &Plan, name: &str) -> bool {
+fn is_unnamed(construction: &Construction, plan: &Plan, name: &str) -> bool {
     let own = &plan.points[name];
     let is_pole = name.ends_with("_ground") && own.vector.norm() == 0.0;
-    let mut others = plan.points.values();
-    let at_another = others.any(|p| p.role != PointRole::Normal && p.vector == own.vector);
-    is_pole || (own.role == PointRole::Normal && at_another)
+    let start =
+        construction.arrows(plan.order).find(|laid| laid.to == name).and_then(|laid| plan.points.get(&laid.from));
+    let vanishes = start.is_some_and(|start| start.vector == own.vector);
+    is_pole || (own.role == PointRole::Normal && vanishes)
 }
 
 /// What differs on the sheet after a step.
@@ -74,7 +75,8 @@ fn wrong_names(solution: &Solution, all: &Drawing, step: usize) -> Vec<String> {
     for (plan, panel) in construction.plans().zip(&drawing.panels[1..]) {
         let steps = construction.numbered_steps().filter(|one| one.sheet == plan.sheet());
         let so_far = steps.filter(|one| one.number <= step).flat_map(|one| made(one.action, plan.order.pole()));
-        let mut names: Vec<String> = so_far.filter(|name| !is_unnamed(plan, name)).map(|name| renamed(&name)).collect();
+        let mut names: Vec<String> =
+            so_far.filter(|name| !is_unnamed(construction, plan, name)).map(|name| renamed(&name)).collect();
         names.sort();
         names.dedup();
         let (wanted, shown) = (letters(names.iter().map(String::as_str)), labels(&drawing, panel));

@@ -167,7 +167,7 @@ pub(super) fn truncated(site: &Site<'_>) -> Vec<Candidate> {
 /// Metric units of length, in millimetres.
 const METRIC: [(&str, f64); 3] = [("m", 1000.0), ("cm", 10.0), ("mm", 1.0)];
 
-/// A unit with the other metric units of length in place of its own, each with what it is in that; none of one that does not begin with such a unit.
+/// The same unit with each other metric length in place of its own, and the factor between the two; empty if it has no metric length.
 fn in_metric(own: &str) -> impl Iterator<Item = (String, f64)> {
     let head = own.split('/').next().unwrap_or("");
     let metric = METRIC.iter().find(|m| m.0 == head);

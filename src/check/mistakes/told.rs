@@ -6,7 +6,7 @@ use crate::scene::{Head, QuantityName};
 use crate::sheet::{QuantityKind, Sheet};
 use crate::words::{Language, Wording};
 
-/// Degrees up to which two angles of a crank are told as one.
+/// Largest difference, in degrees, of crank angles that are reported as one.
 const NEAR: f64 = 5.0;
 
 /// What a row of the catalogue says of a mistake.
